@@ -3,8 +3,9 @@
 from itertools import pairwise
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
-from thinkblox.assets.palette import CHROME, GLASS, PORCELAIN, WHITE_PLASTIC
-from thinkblox.assets.part import Build, Part, Range, hull, moved
+from thinkblox.assets.mounting import PROPPED
+from thinkblox.assets.palette import CHROME, GLASS, KRAFT, PORCELAIN, WHITE_PLASTIC
+from thinkblox.assets.part import Build, Finish, Part, Range, hull, moved
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, oval, prism, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.worktop import tap
@@ -160,8 +161,12 @@ def towel_stack(spec: Spec) -> Build:
 
 
 def toilet_paper(spec: Spec) -> Build:
-    """Return a holder with a roll, for the wall."""
+    """Return a holder with a roll, for the wall, or a roll that stands by itself."""
     x, y, z = spec.size
+    if spec.has(PROPPED):
+        radius, paper = min(x, y) / 2, Finish(PORCELAIN.colour, "paper")
+        core = disc(KRAFT, (0, 0), 0.4 * radius, (z - 0.001, z), collide=False)
+        return Build(body=[disc(paper, (0, 0), radius, (0, z - 0.001)), core])
     size = min(x - 0.02, z)
     body: list[Part] = [
         box(CHROME, (-x / 2, -x / 2 + 0.01), around(0, 0.04), around(z / 2, 0.05)),

@@ -2,6 +2,7 @@
 
 from math import cos, pi, sin
 
+from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.assets.palette import (
     BRIGHT,
     CHROME,
@@ -161,13 +162,19 @@ def vacuum_robot(spec: Spec) -> Build:
 
 
 def fan(spec: Spec) -> Build:
-    """Return a standing fan."""
+    """Return a standing fan, or one on an arm from the wall."""
     x, y, z = spec.size
-    size, shell = min(y, 0.42 * z), spec.main(WHITE_PLASTIC)
+    hangs = spec.has(WALL_MOUNTED)
+    size, shell = min(y, z if hangs else 0.42 * z), spec.main(WHITE_PLASTIC)
     mid = z - size / 2
     body: list[Part] = [
         disc(shell, (0, 0), min(x, y) / 2 * 0.95, (0, 0.03)),
         disc(CHROME, (-0.04, 0), 0.014, (0.03, mid)),
+    ]
+    if hangs:
+        plate = box(shell, (-x / 2, 0.02 - x / 2), around(0, 0.14), around(mid, 0.2))
+        body = [plate, cylinder(CHROME, (0.02 - x / 2, -0.09), around(0, 0.04), around(mid, 0.04), axis=0)]
+    body += [
         cylinder(shell, (-0.09, 0.0), around(0, 0.12), around(mid, 0.12), axis=0),
     ]
     for k in range(12):

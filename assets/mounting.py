@@ -13,6 +13,7 @@ _CAN_HANG = frozenset(
         "cabinet",
         "credenza",
         "dresser",
+        "fan",
         "monitor",
         "nightstand",
         "shelving_unit",

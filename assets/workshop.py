@@ -246,9 +246,8 @@ def pegboard(spec: Spec) -> Build:
     if spec.has("shelved"):
         levels = (0.1 * z, 0.55 * z)
         body += [box(STEEL, (face, x / 2), (-y / 2, y / 2), (h - 0.008, h)) for h in levels]
-        body += [box(STEEL, (x / 2 - 0.006, x / 2), (-y / 2, y / 2), (h, h + 0.02)) for h in levels]
         rows = [(h, (levels[1] - 0.008 if h < levels[1] else z) - h) for h in levels]
-        shelf = ((face, x / 2 - 0.006), (-y / 2, y / 2))
+        shelf = ((face, x / 2), (-y / 2, y / 2))
         return Build(body=body, surfaces=[top_surface("shelf", *shelf, h, headroom=room) for h, room in rows])
     hung = (x / 2 + face) / 2
     for k, colour in enumerate(BRIGHT):

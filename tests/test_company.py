@@ -55,6 +55,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A cafe with a counter, four tables for two and a bar with stools", "coffee_machine", 1),
         ("A nail salon with four manicure tables", "chair", 8),
         ("A playroom with a tent", "play_tent", 1),
+        ("A biology lab with four benches, microscopes and a sink", "lab_bench", 4),
         ("An office for six with a meeting table", "desk", 6),
         ("An office for six with a meeting table", "office_chair", 12),
         ("An office for six with a large table", "chair", 6),

@@ -16,6 +16,7 @@ from thinkblox.assets.showing import realised
 from thinkblox.brief import Brief
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
+from thinkblox.headline import shortfalls
 from thinkblox.planning import ExpertPlanner, plan_brief, varied
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Material
@@ -658,3 +659,25 @@ def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     aside = [abs(c - t) - size / 2 for c, t, size in zip(camera.position, table.position, table.size, strict=True)]
     assert max(aside[:2]) > 0.3
     assert room.report.complete
+
+
+def test_many_desks_stand_in_rows_whatever_else_is_there() -> None:
+    room = made("An office with ten desks, two sofas and a kitchenette")
+    desks = [p.id for p in placed(room, "desk")]
+    assert len(desks) == 10
+    assert measure(room.scene, "in_rows", desks, ()).holds
+
+
+def test_what_hangs_on_a_wall_hangs_there_and_rolls_stand_on_its_shelf() -> None:
+    room = generate_room(
+        "A 3 by 3 m room with a desk and a wall-mounted fan above the desk, a metal shelf on the wall with two toilet"
+        " rolls on it.",
+        fill="named",
+        seed=0,
+    )
+    (fan,), (shelf,) = placed(room, "fan"), placed(room, "wall_shelf")
+    assert fan.support.endswith("wall")
+    assert {roll.support for roll in placed(room, "toilet_paper")} == {shelf.id}
+    assert room.report.complete
+    stand = generate_room("A 3 by 3 m room with an umbrella stand on the wall.", fill="named", seed=0)
+    assert "not so: umbrella_stand_1 on wall" in shortfalls(stand.report)

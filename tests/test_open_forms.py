@@ -11,7 +11,7 @@ from thinkblox.generate import generate_room
 from thinkblox.headline import shortfalls
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan
-from thinkblox.planning import plan_brief
+from thinkblox.planning import plan_brief, with_sizes
 from thinkblox.reading import read_brief
 from thinkblox.scene.room import rectangle
 
@@ -91,6 +91,31 @@ def test_what_carries_or_holds_several_is_made_large_enough(prompt: str, id: str
     size = plan(prompt).target(id).size[axis]
     assert size is not None
     assert size >= least
+
+
+def test_the_open_form_has_a_size_of_its_own_and_a_long_thing_its_length_upwards() -> None:
+    rack = "A games room with a pool table and a cue rack with four cues in it."
+    for seed in range(3):
+        done = plan_brief(with_sizes(read_brief(rack), seed), rectangle(6.0, 5.0))
+        cue = done.target("cue_1")
+        made = make_thing("cue", seed=0, attributes=cue.attributes)
+        depth, width, height = (said or own for said, own in zip(cue.size, made.size, strict=True))
+        assert height > 1.2 > 0.2 > max(depth, width)
+    chest = plan("A playroom with a toy chest with four dolls in it.").target("toy_box_1")
+    assert chest.size[2] is None or chest.size[2] > 0.6
+
+
+@pytest.mark.parametrize(
+    ("prompt", "most"),
+    [
+        ("A shop with a counter and a jar with five frimbles in it.", 0.1),
+        ("A hall with a tray with four frimbles on it on a table.", 0.25),
+        ("A hall with three frimbles.", None),
+    ],
+)
+def test_what_nobody_knows_is_no_larger_than_what_it_is_put_into(prompt: str, most: float | None) -> None:
+    size = plan(prompt).target("frimble_1").size
+    assert (size[0] is None) if most is None else (size[0] is not None and max(filter(None, size)) <= most)
 
 
 def test_a_dresser_holds_things_in_its_drawers() -> None:

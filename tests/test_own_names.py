@@ -15,6 +15,7 @@ from thinkblox.reading import read_brief
         ("The teacher's desk.", "desk", "teacher's desk"),
         ("Three buckets of tulips.", "flower_bucket", "bucket of tulips"),
         ("Two old pine farmhouse tables.", "dining_table", "farmhouse table"),
+        ("Twenty sheets of paper.", "paper", "sheet of paper"),
         # Words that say less than ours, or nothing else, and what is told of looks, are no name.
         ("A round table with two chairs.", "dining_table", ""),
         ("Two wooden chairs.", "chair", ""),

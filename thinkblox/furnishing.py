@@ -33,6 +33,8 @@ ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
 BELONGING = ("next_to", "at_foot_of", "at", "in_front_of", "behind", "on", "above")
 """Relations without which what is only assumed is better left out."""
+ROWS = 6
+"""From so many on what is to stand in rows looks strewn about where it does not."""
 DRAWN_UP = ("at", "in_front_of")
 """Relations to furniture without which a thing on the floor makes no sense."""
 
@@ -157,6 +159,11 @@ class Furnished:
     def faults(self) -> tuple[int, ...]:
         """What is not as asked, or odd, and another arrangement might mend: counts, the gravest first."""
         return self.best.faults
+
+    @property
+    def strewn(self) -> bool:
+        """Whether many that were to stand in rows, though nobody asked that, stand anyhow for want of floor."""
+        return bool(_broken_rows(self.best.world.scene, self.loop.plan))
 
     @property
     def amiss(self) -> str:
@@ -335,6 +342,16 @@ def _strays(scene: Scene, plan: Plan) -> list[str]:
         ties = [tie for tie in ties[:1] if all(anchor in scene for anchor in tie.anchors)]
         found += [target.id for t in ties if not measure(scene, t.kind, target.id, t.anchors).holds]
     return found
+
+
+def _broken_rows(scene: Scene, plan: Plan) -> list[str]:
+    """The first of each of several that were to stand in rows, where nobody asked that, and stand anyhow."""
+    requests: dict[str, list[str]] = {}
+    for target in plan.targets:
+        if target.id in scene and any(tie.kind == "in_rows" and not tie.asked for tie in target.ties):
+            requests.setdefault(target.request, []).append(target.id)
+    several = (ids for ids in requests.values() if len(ids) >= ROWS)
+    return [ids[0] for ids in several if not measure(scene, "in_rows", ids, ()).holds]
 
 
 def _amiss(report: Report, scene: Scene, plan: Plan) -> str:

@@ -210,7 +210,7 @@ def _furnish_relieved(
 
 
 def _best(made: Sequence[Furnished]) -> Furnished:
-    return min(made, key=lambda each: (each.faults, _is_cramped(each)))
+    return min(made, key=lambda each: (each.faults, each.strewn, _is_cramped(each)))
 
 
 def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
@@ -222,12 +222,12 @@ def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
 
 
 def _lacks_floor(made: Furnished) -> bool:
-    """Whether something that stands on the floor is absent, fails, or does not stand as asked."""
+    """Whether something that stands on the floor is absent, fails, or does not stand as asked, or in its rows."""
     mounts = {target.id: made.loop.kinds[target.category].mount for target in made.loop.plan.targets}
     absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
-    return absent or failing or any(mounts.get(id) == "floor" for id in subjects)
+    return absent or failing or any(mounts.get(id) == "floor" for id in subjects) or made.strewn
 
 
 def _is_cramped(made: Furnished) -> bool:

@@ -32,7 +32,7 @@ _TWO = frozenset("slab roll soft cloth stack crate stick tool stand platform rac
 _SOFT = frozenset("soft cloth heap hung mat".split())
 _HOLDING = {
     **dict.fromkeys(
-        "block can bag pot jug bottle tub bucket bowl pan dome cone soft slab wedge fountain".split(), "open"
+        "block can bag pot jug bottle tub bucket bowl pan dome cone soft slab wedge fountain vehicle".split(), "open"
     ),
     **dict.fromkeys("cabinet machine cage gable".split(), "open-fronted"),
     "rack": "tiered",

@@ -338,18 +338,29 @@ def _open_basin(build: Build, radius: float, height: float) -> Build:
 
 
 def vehicle(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a body on four wheels with a cabin of the accent; its front is +x."""
+    """Return a body on four wheels with a cabin of the accent; its front is +x. When "open" it has a bed to load."""
     x, y, z = spec.size
-    wheel = min(0.36 * z, 0.24 * x)
+    wheel, finish = min(0.36 * z, 0.24 * x), spec.main(main)
     body: list[Part] = [
-        cushion(spec.main(main), (-x / 2, x / 2), around(0, 0.9 * y), (0.5 * wheel, 0.62 * z), radius=0.1 * z),
+        cushion(finish, (-x / 2, x / 2), around(0, 0.9 * y), (0.5 * wheel, 0.62 * z), radius=0.1 * z),
         cushion(accent, (-0.36 * x, 0.2 * x), around(0, 0.78 * y), (0.6 * z, z), radius=0.1 * z),
     ]
+    surfaces: list[Surface] = []
+    if spec.has("open"):
+        thin, low, back = 0.03 * y, 1.05 * wheel, 0.12 * x
+        bed = ((-x / 2 + thin, back - thin), around(0, 0.9 * y - 2 * thin))
+        body = [
+            box(finish, (-x / 2, x / 2), around(0, 0.9 * y), (0.5 * wheel, low)),
+            cushion(accent, (back, x / 2), around(0, 0.9 * y), (low, z), radius=0.06 * z),
+            *(box(finish, (-x / 2, back), (s * 0.45 * y, s * (0.45 * y - thin)), (low, 0.75 * z)) for s in (-1, 1)),
+            *(box(finish, (at, at + thin), bed[1], (low, 0.75 * z)) for at in (-x / 2, back - thin)),
+        ]
+        surfaces.append(inner_surface("bed", *bed, low))
     for s in (-1, 1):
         for t in (-1, 1):
             side = (t * 0.36 * y, t * y / 2)
             body.append(cylinder(BLACK_PLASTIC, around(s * 0.3 * x, wheel), side, (0, wheel), axis=1))
-    return Build(body=body)
+    return Build(body=body, surfaces=surfaces)
 
 
 def hung(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -5,11 +5,13 @@ from math import pi, sqrt
 
 import numpy as np
 
-from thinkblox.assets import facts_of, kind_of, room_under
+from thinkblox.assets import facts_of, kind_of, room_under, stand_in
+from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Role
 from thinkblox.assets.make import make_thing
 from thinkblox.assets.open_forms import FOR_LONG, TIERED
-from thinkblox.assets.sizing import UPRIGHT, size_for, sizes_of
+from thinkblox.assets.sizing import UPRIGHT, is_stood, size_for, sizes_of
+from thinkblox.brief import Measures
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec2, Vec3
@@ -107,11 +109,50 @@ def _stands_over(anchor: Member | None) -> bool:
     return anchor is not None and anchor.mount == "floor" and not anchor.flat
 
 
+def sizes_given(member: Member, members: Members) -> tuple[Measures, Measures]:
+    """What the prompt and the seed give for the size of the form that it has [m].
+
+    The seed gives none where that form has a size of its own; what stands on its end has its length upwards.
+    """
+    kind, words = kind_of(member.category), words_of(member, members)
+    asked, drawn = member.request.size, member.request.drawn
+    if is_stood(kind, words):
+        return _stood(asked, kind), _stood(drawn, kind)
+    own = (word for word in words if word not in member.request.attributes)
+    return asked, (None, None, None) if any(word in kind.variants for word in own) else drawn
+
+
+def _stood(size: Measures, kind: Category) -> Measures:
+    x, y, z = size
+    return (z, y, x) if kind.long_axis == 0 else (x, z, y)
+
+
 def usual_size(member: Member, members: Members) -> Vec3:
     """Its size by the seed or by its words, where the prompt gives no other [m]."""
     usual = size_for(kind_of(member.category), frozenset(words_of(member, members)), np.random.default_rng(0))
-    sizes = zip(member.request.size, member.request.drawn, usual, strict=True)
+    sizes = zip(*sizes_given(member, members), size_of_unknown(member, members) or usual, strict=True)
     x, y, z = (asked or own or general for asked, own, general in sizes)
+    return (x, y, z)
+
+
+def size_of_unknown(member: Member, members: Members) -> Vec3 | None:
+    """The size at which something that nobody knows has room in or on what the prompt puts it with others [m].
+
+    None for what is known, and where there is room for it as it is usually made.
+    """
+    anchors = [a for t in member.ties if t.asked and t.kind in ("inside", "on", "in_centre") for a in t.anchors]
+    holder = next((members.by_id[a] for a in anchors if a in members.by_id), None)
+    if holder is None or stand_in(member.category).how != "plain":
+        return None
+    company = len({m.id for m in (*in_it(holder, members), *on_it(holder, members))})
+    made = make_thing(holder.category, seed=0, attributes=words_of(holder, members))
+    area = max((s.size[0] * s.size[1] * (pi / 4 if s.round else 1.0) for s in made.surfaces), default=0.0)
+    kind = kind_of(member.category)
+    least = max(a / b for a, b in zip(kind.size_range[0], kind.size, strict=True))
+    share = max(sqrt(area / company) / PACKED / (max(kind.size[:2]) + APART), least)
+    if share >= 1.0 or not area:
+        return None
+    x, y, z = (round(share * side, 3) for side in kind.size)
     return (x, y, z)
 
 

@@ -7,10 +7,21 @@ import numpy as np
 from thinkblox.assets import kind_of
 from thinkblox.assets.category import Category
 from thinkblox.assets.make import make_thing
-from thinkblox.assets.sizing import size_for
+from thinkblox.assets.sizing import size_for, sizes_of
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, width_of, words_of
+from thinkblox.planning.loads import (
+    height_over,
+    in_it,
+    on_it,
+    size_of_unknown,
+    size_under,
+    sizes_given,
+    top_for_loads,
+    usual_size,
+    width_of,
+    words_of,
+)
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2, Vec3
@@ -31,15 +42,18 @@ OPEN: Measures = (None, None, None)
 
 def size_of(member: Member, members: Members, room_height: float) -> Measures:
     """What the asset of an object must measure in a room of that height [m]."""
-    needed, drawn = _needed(member, members, room_height), member.request.drawn
-    x, y, z = (need or own for need, own in zip(needed, drawn, strict=True))
+    needed, (_, drawn) = _needed(member, members, room_height), sizes_given(member, members)
+    unknown = size_of_unknown(member, members) or OPEN
+    x, y, z = (need or own or small for need, own, small in zip(needed, drawn, unknown, strict=True))
     return (x, y, z)
 
 
 def _needed(member: Member, members: Members, room_height: float) -> Measures:
     """What it must measure for what is said of it, and for what is on, in, under and at it [m]."""
     kind = kind_of(member.category)
-    depth, width, height = (s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
+    asked, _ = sizes_given(member, members)
+    sizes = sizes_of(kind, words_of(member, members))
+    depth, width, height = (s if _lies_in(s, sizes, axis) else None for axis, s in enumerate(asked))
     if height is None and FULL_HEIGHT in member.request.attributes and _fits(room_height - _BELOW_CEILING, kind, 2):
         height = round(room_height - _BELOW_CEILING, 3)
     if depth is None and width is None:
@@ -47,7 +61,7 @@ def _needed(member: Member, members: Members, room_height: float) -> Measures:
             return (*across, height)
         if height is None and (smaller := size_under(member, members)):
             return smaller
-        depth, width = top_for_loads(member, members) or (None, None)
+        depth, width = top_for_loads(member, members) or _for_boards(member, members, kind) or (None, None)
     seats = None if any(member.request.size[:2]) else _for_seats(member, members, kind)
     return (depth, max(filter(None, (width, seats)), default=None), height or height_over(member, members))
 
@@ -65,8 +79,11 @@ def size_note(request: Request) -> str:
 
 
 def _fits(size: float | None, kind: Category, axis: int) -> bool:
-    least, most = kind.size_range
-    return size is not None and least[axis] <= size <= most[axis]
+    return _lies_in(size, kind.size_range, axis)
+
+
+def _lies_in(size: float | None, sizes: tuple[Vec3, Vec3], axis: int) -> bool:
+    return size is not None and sizes[0][axis] <= size <= sizes[1][axis]
 
 
 def _for_contents(member: Member, members: Members, kind: Category) -> tuple[float, float] | None:
@@ -85,6 +102,18 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     most = kind.size_range[1]
     share = min(needed / bottom, _WIDER, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
     return (round(share * usual[0], 3), round(share * usual[1], 3)) if share > 1.0 else None
+
+
+def _for_boards(member: Member, members: Members, kind: Category) -> Vec2 | None:
+    """Depth and width of what carries on boards alone, one over another, all that is on it."""
+    loads = on_it(member, members)
+    if not loads or kind.large or kind.is_in("shelves", "surfaces"):
+        return None
+    usual = usual_size(member, members)
+    boards = make_thing(kind.name, seed=0, attributes=words_of(member, members)).surfaces
+    if not boards or any(s.within or s.headroom is None for s in boards):
+        return None
+    return _for_tiers(boards, [usual_size(load, members) for load in loads], usual, kind)
 
 
 def _for_tiers(tiers: Sequence[Surface], held: Sequence[Vec3], usual: Vec3, kind: Category) -> Vec2 | None:

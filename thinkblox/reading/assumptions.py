@@ -375,10 +375,16 @@ def _serves(noun: str, usual: Usual) -> bool:
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
     if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
         return True
-    if load_habits().is_in(usual.category, "worktops") and not load_habits().is_in(noun, "takes_built_in"):
+    if load_habits().is_in(usual.category, "built_in_line", "worktops") and _is_mere_storage(noun):
         return False
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
+
+
+def _is_mere_storage(noun: str) -> bool:
+    """Whether it stands by itself, and nobody works at it or builds a sink into it: a cupboard."""
+    habits = load_habits()
+    return habits.is_in(noun, "storage") and not habits.is_in(noun, "worktops", "takes_built_in", "built_in_line")
 
 
 def _have_places(draft: Draft, category: str) -> bool:

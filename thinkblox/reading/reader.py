@@ -44,6 +44,8 @@ _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagona
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
 _PLACES: tuple[Place, ...] = get_args(Place)
+_FURNITURE = 0.2
+"""Outline from which what is said to be on a wall, and cannot hang, is furniture that stands against it [m2]."""
 _TALL = 1.5
 """Storage that is higher stands, also where it is said to be on a wall [m]."""
 _SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "single", "double", "corner", "open")
@@ -152,7 +154,7 @@ def _hang(bond: Bond, place: str) -> None:
     stands = _stands_up_to_walls(kind) or (_stands_at_walls(kind) and word not in bond.subject.attributes)
     if mount_of(kind, (word,)) == mount and not stands:
         thing.attributes += [word] if word not in thing.attributes else []
-    elif mount == "wall" and kind.mount == "floor":
+    elif mount == "wall" and kind.mount == "floor" and (stands or kind.size[0] * kind.size[1] > _FURNITURE):
         bond.kind = "against_wall"
 
 
@@ -176,7 +178,8 @@ def _hang_over(thing: Mention, draft: Draft) -> None:
 
 def _prop(thing: Mention, carrier: Category) -> None:
     """What usually hangs on a wall stands where it is said to be on furniture: a painting on an easel."""
-    if carrier.mount == "floor" and not carrier.flat and mount_of(kind_of(thing.noun), thing.attributes) == "wall":
+    stands = carrier.mount == "floor" or carrier.is_in("shelves")
+    if stands and not carrier.flat and mount_of(kind_of(thing.noun), thing.attributes) == "wall":
         thing.attributes.append(PROPPED)
 
 

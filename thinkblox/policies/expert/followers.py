@@ -3,6 +3,7 @@
 import numpy as np
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
@@ -129,7 +130,8 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         or need(follower, tie, of=situation.target.category, size=size)
     )
     if wanted is None:
-        hung_above = tie.kind == "above" and situation.kind(follower).mount == "wall"
+        on_wall = situation.kind(follower).mount == "wall" or WALL_MOUNTED in follower.attributes
+        hung_above = tie.kind == "above" and on_wall
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]

@@ -15,6 +15,8 @@ BEHIND_SEAT = 0.35
 """Floor behind a seat, to draw it back [m]."""
 WORKING = 1.0
 """Floor between a desk and what stands behind who works there, who draws back the chair [m]."""
+BEYOND, BEYOND_LOW = 0.5, 0.8
+"""Floor before a thing besides that of what stands there, and of a low table, which people walk round [m]."""
 VIEW = 2.0
 """Floor between a seat and the screen or fire that it looks at [m]."""
 TALK = 1.4
@@ -66,7 +68,8 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
         case "in_front_of" | "near" if anchor.is_in("boards") and own.gaze == "back":
             return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case "in_front_of" | "at_foot_of":
-            return _before(tie, size, received=anchor.gaze == "back" and own.is_in("visits"))
+            received = anchor.gaze == "back" and own.is_in("visits")
+            return _before(tie, size, received=received, beyond=BEYOND_LOW if own.is_in("low_tables") else BEYOND)
         case "behind" | "back_to_back":
             return _behind(tie, size, worker=tie.kind == "behind" and backs_worker(own, anchor))
         case "facing" if anchor.gaze == "back":
@@ -91,9 +94,9 @@ def backs_worker(own: Facts, desk: Facts) -> bool:
     return desk.gaze == "back" and desk.is_in("worked_at") and not own.is_in("seating", "seats")
 
 
-def _before(tie: Tie, size: Vec3, *, received: bool) -> Need:
+def _before(tie: Tie, size: Vec3, *, received: bool, beyond: float) -> Need:
     """Floor before a thing, or across a desk for those who are received there."""
     depth, width, _ = size
     if received:
         return Need(("back",), depth + BEHIND_SEAT + 0.3, width * tie.count, 1, 4.0)
-    return Need(("front",), depth + 0.5, width, 1, 4.0)
+    return Need(("front",), depth + beyond, width, 1, 4.0)

@@ -278,11 +278,13 @@ class Cutter:
 
     def _two_sides(self) -> Noun | None:
         """Read "bedside tables left and right"."""
-        words = [self._text_at(self.at + n) for n in range(4)]
-        ends = self.at + 3 >= len(self.tokens) or self.tokens[self.at + 3].kind == "mark"
-        if words[:3] not in (["left", "and", "right"], ["right", "and", "left"]) or not (ends and self._after_noun()):
+        if self._text_at(self.at) not in ("left", "right"):
             return None
-        return Noun("part", "side", self.at, self.at + 3, " ".join(words[:3]), det="both", plural=True)
+        words = [self._text_at(self.at + n) for n in range(3)]
+        ends = self.at + 3 >= len(self.tokens) or self.tokens[self.at + 3].kind == "mark"
+        if words not in (["left", "and", "right"], ["right", "and", "left"]) or not (ends and self._after_noun()):
+            return None
+        return Noun("part", "side", self.at, self.at + 3, " ".join(words), det="both", plural=True)
 
     def _finish(self) -> Connector | None:
         """Go past the "painted" of "a dresser painted yellow"."""

@@ -8,7 +8,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.english.state import LOOKAHEAD
 
@@ -119,6 +119,8 @@ class Clauses(Audit):
 
     def _noun(self, noun: Noun) -> None:
         self._as_seat(noun)
+        if self._is_place_at_table(noun):
+            return
         self._as_shade(noun)
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and (self._is_label(noun) or self._is_for_every(noun)):
@@ -137,6 +139,20 @@ class Clauses(Audit):
         readers[noun.kind](noun)
         if noun.kind != "room":
             self.separator = ""
+
+    def _is_place_at_table(self, noun: Noun) -> bool:
+        """Read "a table for four: each place has a plate", where no seats are named, as so many on the table."""
+        table = next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
+        place = noun.kind in ("abstract", "room") and noun.each and noun.word in grammar().lists["seats"]
+        if not place or not self._is_link(self.peek(), "verbs", "have"):
+            return False
+        if table is None:
+            self._lose(noun.start, noun.end)
+            return False
+        self._begin()
+        self.crowd = table.seats
+        self.front = [Awaited(Where("on", None), Meaning("on", (table,), told=True))]
+        return True
 
     def _is_for_every(self, noun: Noun) -> bool:
         """Read "a lamp every two seats" as one for every two of them."""
@@ -263,7 +279,7 @@ class Clauses(Audit):
                 if chunk.det or chunk.count is not None:
                     return True
             elif not (self._is_link(chunk, "mark", "comma") or self._is_link(chunk, "joins", "and")):
-                break
+                return isinstance(chunk, Connector) and chunk.sort in ("prepositions", "participles", "verbs")
         return False
 
     def _names_nothing(self, noun: Noun) -> bool:

@@ -209,12 +209,20 @@ class Heads(Modifiers):
         if noun.det == "each":
             noun.kind, noun.value, noun.end = "pronoun", "each", longest
             return self._finished(noun)
-        if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
-            noun.kind, noun.named, noun.end = "thing", False, longest
-            noun.value = identifier_of(noun_of(self.tokens[longest - 1].text))
+        return self._named_by_look(noun, longest, units)
+
+    def _named_by_look(self, noun: Noun, end: int, units: Units) -> Noun | None:
+        """Read "a white cloth", whose last word is a matter, and "a green" before "and a black chair"."""
+        word = self.tokens[end - 1].text
+        if noun.det in ("a", "another") and word in grammar().lists["cloths"] and noun.attributes[:-1]:
+            noun.attributes = noun.attributes[:-1]
+        elif noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
             noun.looks, noun.attributes = noun.attributes, []
-            return self._finished(noun)
-        return None
+        else:
+            return None
+        noun.kind, noun.named, noun.end = "thing", False, end
+        noun.value = identifier_of(noun_of(word))
+        return self._finished(noun)
 
     def _told_apart(self, noun: Noun, at: int, end: int) -> Noun | None:
         """Read "the larger one", "every other one", "each one"."""

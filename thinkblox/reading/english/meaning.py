@@ -513,6 +513,7 @@ class Meanings:
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
+        name = "short_wall" if name == "wall" and each and "end" in said.text.lower().split() else name
         meaning = wall(word, said, name, several, each=each)
         if meaning is not None and walls:
             meaning.anchors = (name, *walls)

@@ -323,7 +323,11 @@ class Numbers(Verbs):
         times = self._times_next()
         if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
             self.referents.settle(whole)
-        if self._is_more(whole, noun):
+        told_anew = times > 1 and count * times == whole.count
+        walls = [b for b in self.draft.bonds_of(whole) if b.spread > 1 or b.anchors == ("long_wall",)]
+        if told_anew and walls and (sides := self._next_noun(1)) is not None and sides.kind == "part":
+            self._go_past(sides)
+        if not told_anew and self._is_more(whole, noun):
             part = self._copy(whole, count * times)
             self._speak_of_part(part, noun)
             return

@@ -78,7 +78,7 @@ class PhraseReader(Heads):
             return self._headless(noun, at, end, units)
         noun.end = end
         self._head(noun, units)
-        noun.called = self._called(noun, units)
+        noun.called = f"{noun.called} {self._called(noun, units)}".strip()
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)

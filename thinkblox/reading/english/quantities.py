@@ -10,7 +10,8 @@ _STACKS = ("stack", "pile", "heap")
 """Measures that say how the things lie, besides how many they are."""
 _OF_MATTER = ("sheet", "ball", "cube", "lump", "slice", "mountain")
 """Measures of things that we know; of others they are things themselves: "a ball of fire"."""
-_WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", "kind", "type", "sort")
+_KINDS = ("kind", "type", "sort")
+_WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", *_KINDS)
 """Measures of which one is one thing: "a roll of paper", "the kind of sofa"."""
 
 
@@ -243,6 +244,7 @@ class Quantities(Words):
             noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
         elif word.rstrip("s") in _WHOLES:
             noun.count = outer or (None if several else 1)
+            noun.called = "" if word.rstrip("s") in _KINDS else f"{singular(word)} of"
         else:
             noun.count, noun.vague, noun.least = (outer or 1) * 3, True, 1
             noun.states += ["stacked"] if word.rstrip("s") in _STACKS else []

@@ -1,6 +1,6 @@
 """What "it", "them", "the desk", "the other one" point at."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import kind_of
@@ -67,9 +67,11 @@ class Referents:
         recent = [t for t in recent if t.asked and not (named and _is_another_kind(noun, t))]
         word = noun.word
         apart = grammar().lists["told_apart"]
-        recent = [t for t in recent if word not in apart or last_word(t) in (word, "") or last_word(t) not in apart]
-        said = [t for t in recent if set(noun.attributes) <= with_general(t.attributes)]
-        meant = {sense.category for sense in senses_of(noun.value)}
+        if word in apart:
+            recent = [t for t in recent if last_word(t) in (word, "") or last_word(t) not in apart]
+        looks = set(noun.attributes)
+        said = [t for t in recent if looks <= with_general(t.attributes)] if looks else recent
+        meant = {sense.category for sense in senses_of(noun.value)} if noun.value.startswith("any_") else ()
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
@@ -77,18 +79,15 @@ class Referents:
             lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
-        single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        single = [t for t in recent if not t.many and last_word(t) == word] if lone else []
         single = [t for t in single if t.noun == noun.value] or single
         if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
             return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
         if noun.det == "the" and several and not any(self.family(t)[1:] for t in said if last_word(t) == word):
             return several[0]
-        shades = COLOURS.keys() & set(noun.attributes)
-        others = [
-            t for t in recent if shades and any(not shades & with_general({a}) for a in t.attributes if a in COLOURS)
-        ]
-        fitting = [t for t in recent if t not in others]
+        shades = COLOURS.keys() & looks
+        fitting = [t for t in recent if not (shades and _has_other_colour(t, shades))]
         for things in (said, fitting, recent) if noun.attributes else (recent,):
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
@@ -358,6 +357,11 @@ def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention],
     if kind in ("at_foot_of", "at_long_side", "at_short_side") and thing not in sound:
         return False
     return (thing in likely[:1] and not habits.is_in(thing.noun, "lamps")) or thing in sound
+
+
+def _has_other_colour(thing: Mention, shades: Collection[str]) -> bool:
+    """Whether a thing was told to have a colour that is none of these."""
+    return any(with_general({look}).isdisjoint(shades) for look in thing.attributes if look in COLOURS)
 
 
 def _is_another_kind(noun: Noun, thing: Mention) -> bool:

@@ -173,6 +173,9 @@ class Subjects(Having):
         if noun is None:
             seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
             return where.word in ("opposite", "behind", "between") and seated and not frame.each
+        inside = any(b.kind == "inside" and b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing))
+        if noun.kind == "pronoun" and inside and where.word in _BY_OWNER and not frame.each:
+            return True
         if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
             return False
         owner = head.things[-1]

@@ -99,6 +99,8 @@ class _Surveyor:
         self._beside, self._before = self._before, chunk
 
     def _link(self, link: Connector) -> None:
+        if link.sort in ("mark", "joins") and isinstance(self._before, Noun) and self._before.value == "each":
+            self._each = None
         if is_link(link, "mark", "stop"):
             self._end_sentence()
         elif is_link(link, "joins", "and") and self._between and self._anchored:

@@ -184,7 +184,7 @@ class Ties(Relating):
             head is not None and self.separator == "and" and not frame.each and not self._belongs(noun.value, "small")
         )
         lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
-        return lies and self.referents.named(noun) not in frame.members
+        return lies and not frame.closing and self.referents.named(noun) not in frame.members
 
     def _lies_among(self, frame: Listed, thing: Mention) -> bool:
         """Whether it lies where what was listed before does: "a desk with a laptop, a lamp left of the laptop"."""
@@ -260,7 +260,8 @@ class Ties(Relating):
             return True
         if frame.head is not None and found in frame.head.things:
             several = noun.plural or noun.word != noun.text.lower().rpartition(" ")[2]
-            together = frame.each and noun.det == "the" and several and self.separator in ("comma", "comma_and")
+            each = frame.each or any(b.each for m in frame.members for b in self.draft.bonds_of(m))
+            together = each and noun.det == "the" and several and self.separator in ("comma", "comma_and")
             return not (noun.ordinal or noun.degree or together)
         outside = found is not None and not found.many and found not in frame.members
         carriers = [

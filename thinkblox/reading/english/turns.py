@@ -13,7 +13,7 @@ _AFTER = ("and", "but", "or", "oh", "well", "then", "now", "please")
 
 def correction_at(tokens: Sequence[Token], at: int) -> int:
     """How many tokens the words before what corrects the last thing have: "no, make that", "actually,"; 0 for none."""
-    if not _begins(tokens, at) or _is_placing(tokens, at):
+    if not _begins(tokens, at):
         return 0
     end = at
     if _is_no(tokens, at):
@@ -22,7 +22,7 @@ def correction_at(tokens: Sequence[Token], at: int) -> int:
         end += found.length
         if end < len(tokens) and tokens[end].text in (",", ":"):
             end += 1
-    return end - at
+    return end - at if end > at and not _is_placing(tokens, at) else 0
 
 
 def turn_at(tokens: Sequence[Token], at: int) -> int:
@@ -30,8 +30,8 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     begins = _begins(tokens, at)
     if begins and _is_no(tokens, at):
         return _until(tokens, at + 1, sentence=_is_new_sentence(tokens, at)) + 1
-    found = grammar().at(tokens, at, "turns") if not _is_placing(tokens, at) else None
-    if found is not None:
+    found = grammar().at(tokens, at, "turns")
+    if found is not None and not _is_placing(tokens, at):
         after = grammar().at(tokens, at + found.length, "determiners", "count")
         if found.value == "phrase":
             link = grammar().at(tokens, at, "prepositions")

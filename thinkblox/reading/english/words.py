@@ -125,8 +125,9 @@ class Words:
         if len(words) < 2 or thing_called(rest, len(words) - 1) is None:
             return False
         looks = any(e.sort in ("attribute", "style") for e in self.lexicon.phrases.get((words[0],), ()))
-        whole, head = thing_called(" ".join(words), len(words)), thing_called(rest, len(words) - 1)
-        looks &= words[0] != "wood" or whole is None or head is None or whole.category == head.category
+        if words[0] == "wood":
+            whole, head = thing_called(" ".join(words), len(words)), thing_called(rest, len(words) - 1)
+            looks &= whole is None or head is None or whole.category == head.category
         return looks or bool({"state", "size"} & adjective_kinds(words[0]))
 
     def _number(self, at: int) -> tuple[int, int] | None:
