@@ -436,3 +436,41 @@ def test_a_row_goes_to_the_wall_behind_it_as_it_stands() -> None:
     after = done(before, "Move the last row to the back wall").scene
     assert all(after[f"school_desk_{n}"].yaw == 180.0 for n in (3, 4))
     assert all(gap(after, f"school_desk_{n}", "west_wall") < 0.1 for n in (3, 4))
+
+
+def test_it_is_no_wall_where_a_thing_was_named_before() -> None:
+    (order,) = read_instruction("Put a lamp on the desk and a picture on the wall above it").orders
+    assert [(w.word, w.noun.value) for w in order.things[1].places if w.noun] == [("on", "wall"), ("above", "desk")]
+
+
+@pytest.mark.parametrize("said", ["remove the rest", "get rid of the others"])
+def test_the_rest_of_so_many_that_stay_is_of_their_kind(said: str) -> None:
+    after = done(dining(4), f"Keep two chairs and {said}").scene
+    assert sorted(p.category for p in after.placements) == ["chair", "chair", "dining_table"]
+
+
+def test_all_the_rows_and_the_middle_one_are_told_and_turn_with_their_seats() -> None:
+    before = classroom()
+    assert len(edit_room(before, "Remove the rows").changes) == 12
+    result = edit_room(before, "Turn the last row around")
+    there = [id for id in row(2) if result.scene[id].yaw != before[id].yaw]
+    assert {id.replace("school_desk", "chair") for id in there} == {id for id in there if id.startswith("chair")}
+    with pytest.raises(InputError, match="none is in the middle"):
+        edit_room(before, "Remove the middle row")
+
+
+def test_two_lengths_are_the_size_of_what_is_new() -> None:
+    for said in (
+        "Add a blue rug of 1 m by 1.5 m in front of the wardrobe",
+        "Put a rug, 1 m x 1.5 m, in front of the bed",
+    ):
+        (order,) = read_instruction(said).orders
+        size = order.things[0].noun.size
+        assert size is not None
+        assert [length.metres for length in size.lengths] == [1.0, 1.5]
+        assert (order.lengths, order.apart) == ([], [])
+
+
+def test_towards_the_one_on_the_right() -> None:
+    (order,) = read_instruction("Turn the TV towards the armchair on the right").orders
+    assert [noun.side for noun in order.facing] == ["right"]

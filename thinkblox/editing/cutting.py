@@ -31,6 +31,8 @@ _AFTER_ORDER = (
     "by", "and", "so", "about", "a", "one", "half", "please", "then", "too", "now", "two", "but", "without", "while",
     "plus", "also", "with",
 )  # fmt: skip
+_BRINGING = ("add", "ensure", "put")
+"""Orders in which two lengths are the size of a new thing."""
 _CLEARED = ("keep", "put", "ensure", "make", "free", "add")
 """Orders in which "free" at the end is how something is to be."""
 _DISTANT = ("away", "off", "apart", "from", "to", "in", "closer", "nearer", "further", "farther")
@@ -238,6 +240,8 @@ class ClauseCutter:
         said = lengths_at(self._lexicon, tokens, start)
         if said is None:
             return None
+        if self._doing in _BRINGING and (len(said.lengths) > 1 or self._is_second(tokens, at)):
+            return None
         end = start + said.tokens
         distance = self._is_distance(tokens, end)
         if not (self._doing in _SPACED and (distance or not self._is_of_noun(tokens, end))) and not (
@@ -249,6 +253,14 @@ class ClauseCutter:
         while end < len(tokens) and tokens[end].text == "of":
             end += 1
         return OrderMark("lengths", key.strip(), lengths=said.lengths), end - at
+
+    def _is_second(self, tokens: Sequence[Token], at: int) -> bool:
+        """Whether a length is the second of a size: "1 m by 1.5 m"."""
+        joined = at > 2 and tokens[at - 1].text in ("by", "x")
+        return joined and any(
+            (said := lengths_at(self._lexicon, tokens, begin)) is not None and begin + said.tokens > at
+            for begin in range(max(0, at - 4), at - 1)
+        )
 
     def _is_distance(self, tokens: Sequence[Token], at: int) -> bool:
         """Whether a length goes on as a distance: "1 m from", "1 m to the left of", or ends there."""

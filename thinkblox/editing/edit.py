@@ -494,7 +494,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     "Take a chair and put it there" is one order, and "keep the chairs around it" says what goes along.
     """
     joined: list[Order] = []
-    for order in orders:
+    for order in _of_those_kept(orders):
         last = joined[-1] if joined else None
         if last is not None and _fetches_another(last):
             last.doing = "add"
@@ -524,6 +524,25 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _of_those_kept(orders: Sequence[Order]) -> list[Order]:
+    """The orders with "keep four desks and remove the rest" as one by which only four of the desks stay."""
+    left: list[Order] = []
+    for order in orders:
+        if left and left[-1].doing == "keep" and _is_rest_of_them(left[-1], order):
+            order.doing, order.things, order.rest, order.total = "only", left.pop().things, False, True
+        left.append(order)
+    return left
+
+
+def _is_rest_of_them(last: Order, order: Order) -> bool:
+    """Whether "(keep four desks and remove) the rest", "the others" are the others of the same kind."""
+    nouns = [phrase.noun for phrase in last.things]
+    counted = bool(nouns) and all(noun.kind == "thing" and noun.count and not noun.definite for noun in nouns)
+    bare = order.rest and not (order.things or order.places) and "rest" in order.text.lower().split()
+    others = [(phrase.noun.kind, phrase.noun.value) for phrase in order.things] == [("pronoun", "other")]
+    return counted and not last.places and order.doing == "remove" and (bare or others)
 
 
 def _fetches_another(order: Order) -> bool:

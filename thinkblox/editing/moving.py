@@ -429,7 +429,7 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
-        if any(_is_seen_from_it(w) for w in places):
+        if phrase.noun.det == "all" or any(_is_seen_from_it(w) for w in places):
             return found
         wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
@@ -623,7 +623,16 @@ def _is_so(work: Work, goal: Goal, id: str) -> bool:
     )
     if type(goal) is At and goal.reach >= THERE:
         near = math.dist(work.scene[id].position[:2], goal.point) <= MIDDLE
+    if isinstance(goal, Related) and goal.kind in ("at", "around") and id in _seats(work, [id]):
+        near = _sits_at(work.scene, id) in goal.anchors
     return near and goal.check(work.before, work.scene, id)[0]
+
+
+def _sits_at(scene: Scene, id: str) -> str:
+    """The table or counter that a seat is nearest to."""
+    tables = [p.id for p in scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    mark = things(scene, id)[0]
+    return min(tables, key=lambda name: ground_gap(mark, things(scene, name)[0]), default="")
 
 
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:

@@ -308,6 +308,7 @@ class _OrderReader:
         """The new thing of which a size by itself speaks: "a round one that is 1.5 m wide"."""
         order = self.order
         new = order.instead if order.doing == "replace" else order.things if order.doing in ("add", "ensure") else []
+        new = order.things if order.doing == "put" and self._new_thing() is not None else new
         return new[-1].noun if new and new[-1].noun.size is None else None
 
     def _finish(self) -> None:
@@ -1004,8 +1005,19 @@ class _OrderReader:
         elif noun.kind == "pronoun" and noun.value == "each":
             self.order.mutual = "facing"
         else:
-            self.order.facing.append(self._merged(noun))
+            self.order.facing.append(self._sided(self._merged(noun)))
             self._anchors = self.order.facing[-1:]
+
+    def _sided(self, noun: Noun) -> Noun:
+        """Take "(towards) the chair on the right" as the right one."""
+        link, side = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        on = isinstance(link, Connector) and link.value == "on"
+        if noun.kind != "thing" or not on or not isinstance(side, Noun) or side.kind != "part":
+            return noun
+        if side.value not in ("left", "right") or side.det != "the" or side.owner:
+            return noun
+        self._at += 2
+        return replace(noun, side=side.value)
 
     def _faces_by_compass(self, following: Item | None) -> bool:
         """Take "(facing) north" as the wall that is there; whether it is that."""
@@ -1226,7 +1238,10 @@ class _OrderReader:
         """Let "it" mean what the same clause named before: an anchor of the thing, or another thing that is there."""
         noun, things = where.noun, self.order.things
         if noun is not None and _is_it(noun) and where.word != "with":
-            if self._anchors:
+            walled = bool(self._anchors) and self._anchors[-1].kind == "place" and bool(self._former)
+            if walled and "wall" in self._anchors[-1].value:
+                where.noun = self._former[-1]
+            elif self._anchors:
                 where.noun = self._anchors[-1]
             elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
                 where.noun = things[-2].noun

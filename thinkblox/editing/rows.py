@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from thinkblox.assets import facts_of
@@ -96,8 +97,9 @@ def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0
     if len(rows) < 2:
         names = f"{', '.join(p.id for p in found)} do" if found else "the things of the room do"
         raise InputError(f"'{noun.text}': {names} not stand in rows")
-    if not noun.ordinal:
-        raise InputError(f"'{noun.text}': there are {len(rows)} rows; say which, such as 'the first row of'")
+    if _is_every(noun):
+        return [placement for row in rows for placement in row]
+    noun = _told(noun, len(rows))
     if noun.ordinal == MIDDLE_ROW and len(rows) % 2 == 0:
         raise InputError(f"'{noun.text}': there are {len(rows)} rows; none is in the middle")
     number = noun.ordinal - 1 if noun.ordinal > 0 else len(rows) - 1
@@ -118,3 +120,21 @@ def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0
         says = "none is in the middle" if noun.side == "middle" else "it has no such place"
         raise InputError(f"'{noun.text}': that row holds {', '.join(p.id for p in row)}; {says}")
     return [row[at]]
+
+
+def _is_every(noun: Noun) -> bool:
+    """Whether it is "the rows", all of them."""
+    return noun.rows < 0 and not noun.ordinal and noun.side != "middle" and noun.det in ("the", "all", "both")
+
+
+def _told(noun: Noun, count: int) -> Noun:
+    """The phrase with the number of its row: "the middle row" has one too.
+
+    Raises:
+        InputError: it is not said which.
+    """
+    if not noun.ordinal and noun.side == "middle":
+        return replace(noun, ordinal=MIDDLE_ROW, side="", rows=1)
+    if not noun.ordinal:
+        raise InputError(f"'{noun.text}': there are {count} rows; say which, such as 'the first row of'")
+    return noun

@@ -4,15 +4,17 @@ import dataclasses
 import math
 from collections.abc import Iterator, Sequence
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, BackTo, Goal, Related, Turned
-from thinkblox.editing.orders import Order
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.spots import Pose
 from thinkblox.editing.wheres import bound, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
+from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import bearing
 from thinkblox.scene.landmarks import things
@@ -31,8 +33,9 @@ SLIGHT_TURN = 15.0
 def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
     seen: set[str] = set()
-    order = gathered(work, finder, order)
+    order = _with_seats(gathered(work, finder, order))
     for ids, places in _turned(work, finder, order):
+        ids = tuple(id for id in ids if not (order.company and facts_of(work.scene[id].category).is_in("seating")))
         for id in (i for i in ids if i not in seen):
             seen.add(id)
             placement = work.scene[id]
@@ -53,6 +56,14 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _with_seats(order: Order) -> Order:
+    """An order on rows as such, in which the seats of each desk or table turn with it."""
+    if order.company or not any(phrase.noun.rows and phrase.noun.kind == "number" for phrase in order.things):
+        return order
+    seats = Noun("thing", "seat", 0, 0, "its seats", det="my", plural=True)
+    return dataclasses.replace(order, company=[NounPhrase(seats)])
 
 
 def _way_to(work: Work, id: str, looks: Sequence[Goal]) -> int:
