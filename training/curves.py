@@ -11,7 +11,7 @@ Points = Sequence[tuple[float, float]]
 """Steps and values."""
 PANEL, MARGIN, COLUMNS = (420, 260), (52, 30, 14, 28), 2
 """Size of a panel [pixels]; free left, above, right and below its axes; panels side by side."""
-COLOURS = ("#1f5fa8", "#c8501e", "#2f8f4e", "#8a3fa0", "#7a7a7a", "#b59a00")
+COLOURS = ("#1f5fa8", "#c8501e", "#2f8f4e", "#8a3fa0", "#7a7a7a", "#b59a00", "#14a3a8", "#d8478f", "#5b3a1e", "#0b1f3a")
 SMOOTH = 0.08
 """Share of a curve's points over which its thick line is averaged."""
 _INK, _FAINT = "#222222", "#dddddd"
