@@ -77,7 +77,8 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
         *(s for s in member.request.states if s in forms.values()),
     ]
     long = kind_of(member.category).long_axis is not None
-    if long and any(_is_too_narrow(holder, member, members) for holder in _holders(member, members)):
+    open_ones = (holder for holder in _holders(member, members) if not _holders(holder, members))
+    if long and any(_is_too_narrow(holder, member, members) for holder in open_ones):
         found.append(UPRIGHT)
     return tuple(dict.fromkeys((*member.request.attributes, *found)))
 
