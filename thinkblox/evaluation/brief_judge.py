@@ -106,8 +106,9 @@ class _Reading:
             why = f"not asked for: {row.category}" if not keys else f"no rule for {row.relation!r}"
             return _relation_row("architecture", row, row.relation, False if not keys else None, why)
         entry = _table()["elements"][rule]
-        keys = self._with_carriers(keys)
-        found = [r for r in self._relations if r.subject in keys and _names_place(r, entry["kinds"], part)]
+        placed = [r for r in self._relations if _names_place(r, entry["kinds"], part)]
+        keys = keys if any(r.subject in keys for r in placed) else self._with_carriers(keys)
+        found = [r for r in placed if r.subject in keys]
         stand = tuple(dict.fromkeys(r.subject for r in found))
         stand += tuple(key for key in keys if key not in stand and self._mount(key) in entry["mounts"])
         amounts = {self._amount(stand), len(found)} if stand else {0}

@@ -1,6 +1,7 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
@@ -624,8 +625,10 @@ def _build_in(draft: Draft) -> None:
         alone = [t for t in alone if _has_place(draft, t)]
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
-        for bond in draft.bonds:
-            if bond.subject is thing:
+        for bond in list(draft.bonds):
+            if bond.subject is thing and bond.kind == "next_to" and bond.anchors == ("window",) and not bond.negated:
+                draft.bonds.append(replace(bond, subject=cabinet, asked=False))
+            elif bond.subject is thing:
                 draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
