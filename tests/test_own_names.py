@@ -35,6 +35,8 @@ def test_a_brief_keeps_what_a_thing_is_called(prompt: str, category: str, called
         ("A toilet against the back wall, a brush next to it.", "toilet_brush"),
         ("An art studio with brushes on a workbench.", "paintbrush"),
         ("A hallway with loafers on a boot rack.", "shoes"),
+        ("A bathroom with one white towel on a rack on the wall.", "towel_rail"),
+        ("A hallway with four pairs of shoes on a rack.", "shoe_rack"),
     ],
 )  # fmt: skip
 def test_a_word_means_what_it_means_in_such_a_room(prompt: str, category: str) -> None:
