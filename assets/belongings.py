@@ -41,23 +41,24 @@ def backpack(spec: Spec) -> Build:
     return Build(body=body + tube(trim, loop, 0.01 * z, sides=6))
 
 
+_CASES = ((0.20, 0.32, 0.44), (0.58, 0.22, 0.24), (0.24, 0.25, 0.27), (0.80, 0.66, 0.34))
+"""Colours of suitcases."""
+
+
 def suitcase(spec: Spec) -> Build:
     """Return an upright wheeled case with ribs, its handle pulled out a little.
 
     It is the same "lying" on its back, or "open": one half lies, and the other stands up behind it.
     """
     if spec.has("open"):
-        shade = spec.choice(((0.20, 0.32, 0.44), (0.58, 0.22, 0.24), (0.24, 0.25, 0.27), (0.80, 0.66, 0.34)))
-        half = spec.main(Finish(shade, "plastic"))
+        half = spec.main(Finish(spec.choice(_CASES), "plastic"))
         return lidded(spec.size, half, half, 0.3 * spec.size[2])
     if spec.has("lying"):
         upright = Spec(spec.category, (spec.size[2], spec.size[0], spec.size[1]), frozenset(), spec.style, spec.rng)
         laid = [turned(part, 1, -90.0, (0.0, 0.0, 0.0)) for part in suitcase(upright).body]
         return Build(body=[turned(part, 2, 90.0, (0.0, 0.0, 0.0)) for part in laid])
     x, y, z = spec.size
-    shell = spec.main(
-        Finish(spec.choice(((0.20, 0.32, 0.44), (0.58, 0.22, 0.24), (0.24, 0.25, 0.27), (0.80, 0.66, 0.34))), "plastic")
-    )
+    shell = spec.main(Finish(spec.choice(_CASES), "plastic"))
     low, high = 0.06 * z, 0.86 * z
     body: list[Part] = [cushion(shell, (-0.46 * x, 0.46 * x), (-y / 2, y / 2), (low, high), radius=0.16 * x)]
     body += [

@@ -1,7 +1,7 @@
 """Colours of real furniture, and styles that belong together: one seed gives one style to every category."""
 
 import tomllib
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 
@@ -225,6 +225,13 @@ def colour_of(words: Collection[str]) -> Vec3 | None:
 def with_general(words: Collection[str]) -> frozenset[str]:
     """The words and, for every shade among them, the general word for its colour."""
     return frozenset(words).union(SHADES[word] for word in words if word in SHADES)
+
+
+def without_general(words: Iterable[str]) -> list[str]:
+    """Each word once, and of a shade and the general word for its colour only the shade."""
+    said = list(dict.fromkeys(words))
+    general = {SHADES.get(word) for word in said}
+    return [word for word in said if word not in general]
 
 
 def wood_of(words: Collection[str]) -> Finish | None:

@@ -108,7 +108,7 @@ def _coated(links: tuple[Link, ...], colour: Vec3) -> tuple[Link, ...]:
     """The links with their largest finish in a colour, and the next largest too where that is little of the whole."""
     if not shows_colour(links, colour):
         links = _dressed(links, colour, None)
-    if share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR) < _PLAINLY:
+    if _colour_share(links, colour) < _PLAINLY:
         links = _dressed(links, colour, None, of=_COATED, other_than=colour)
     return links
 
@@ -165,7 +165,11 @@ def _recoloured(
 
 def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
     """Whether enough of what is seen has about that colour."""
-    return share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR) >= SHARE
+    return _colour_share(links, colour) >= SHARE
+
+
+def _colour_share(links: Iterable[Link], colour: Vec3) -> float:
+    return share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR)
 
 
 def shows_finish(links: Iterable[Link], word: str) -> bool:

@@ -5,7 +5,7 @@ from typing import Literal, get_args
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
-from thinkblox.assets.palette import SHADES
+from thinkblox.assets.palette import without_general
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
@@ -264,7 +264,7 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
         category=thing.noun,
         count=thing.count or 1,
         asked=thing.asked,
-        attributes=_looks(thing.attributes),
+        attributes=tuple(without_general(thing.attributes)),
         phrase=thing.text,
         called=own_name(thing.called, thing.noun),
         size=object_size(thing.noun, thing.size),
@@ -273,12 +273,6 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
         unshown=tuple(dict.fromkeys(thing.unshown)),
         states=tuple(dict.fromkeys(thing.states)),
     )
-
-
-def _looks(attributes: list[str]) -> tuple[str, ...]:
-    """Each once, and the shade of a colour rather than the general word for it."""
-    general = {SHADES.get(word) for word in attributes}
-    return tuple(word for word in dict.fromkeys(attributes) if word not in general)
 
 
 def _relation(bond: Bond, keys: dict[int, str]) -> Relation:

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.catalogue import GENERAL_WORDS
-from thinkblox.assets.palette import COLOURS, SHADES
+from thinkblox.assets.palette import COLOURS, without_general
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
@@ -71,8 +71,7 @@ class Audit(Doubts):
 
     def _contradicts(self, thing: Mention) -> None:
         """Say of a thing that was given two colours at different places that it cannot have both."""
-        colours = [a for a in dict.fromkeys(thing.attributes) if a in COLOURS]
-        colours = [a for a in colours if a not in {SHADES.get(b) for b in colours}]
+        colours = [a for a in without_general(thing.attributes) if a in COLOURS]
         noun = self.named_by.get(thing)
         if len(colours) < 2 or (noun is not None and set(colours) <= set(noun.attributes)):
             return
