@@ -2,7 +2,7 @@
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
 from thinkblox.assets.palette import GREY_METAL, IRON, MIRROR, WHITE_PAINT
-from thinkblox.assets.part import Build, Finish, Part, Range
+from thinkblox.assets.part import Build, Finish, Part, Range, half_turned
 from thinkblox.assets.shapes import around, box, leg, panel, rod, top_surface
 from thinkblox.assets.spec import Spec
 
@@ -99,6 +99,11 @@ def teacher_desk(spec: Spec) -> Build:
     build.body.append(box(spec.wood, (-x / 2 + 0.03, x / 2 - 0.04), (y / 2 - 0.045, y / 2 - 0.02), (0, z - 0.028)))
     build.body.append(box(spec.wood, (-x / 2 + 0.05, -x / 2 + 0.07), (-y / 2 + 0.42, y / 2 - 0.045), (0.25, z - 0.028)))
     return build
+
+
+def executive_desk(spec: Spec) -> Build:
+    """Return a desk whose panelled front is turned to visitors; who works there sits behind it, on the -x side."""
+    return half_turned(teacher_desk(spec))
 
 
 def dressing_table(spec: Spec) -> Build:

@@ -50,6 +50,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "visits": "those sit on it who are received across a desk",
         "visited": "people are received across it by who works at it",
         "worked_at": "somebody sits at its front to work, with nobody to serve across it",
+        "worked_behind": "who works at it sits behind it and looks over its front",
         "served_over": "somebody stands or sits behind it and serves those before it",
         "in_line": "three and more of it stand in line, with their backs to a wall",
         "sat_before": "needs floor before it for those who sit or stand there",

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.scene.asset import Joint, Material, Surface
 from thinkblox.value import Vec3
@@ -141,6 +142,27 @@ def turned(part: Part, axis: int, degrees: float, about: Vec3) -> Part:
     points = ((float(x), float(y), float(z)) for x, y, z in result + np.array(about))
     smooth = part.smooth or part.kind not in ("box", "hull")
     return hull(part.finish, points, smooth=smooth, collide=part.collide)
+
+
+def half_turned(build: Build) -> Build:
+    """`build` with its back to the front: turned by half a turn about the vertical axis."""
+    surfaces = [structs.replace(s, position=(-s.position[0], -s.position[1], s.position[2])) for s in build.surfaces]
+    moving = [replace(m, parts=tuple(map(_half_turned, m.parts)), joint=_joint_turned(m.joint)) for m in build.moving]
+    return replace(build, body=list(map(_half_turned, build.body)), moving=moving, surfaces=surfaces)
+
+
+def _half_turned(part: Part) -> Part:
+    return replace(
+        part,
+        lo=(-part.hi[0], -part.hi[1], part.lo[2]),
+        hi=(-part.lo[0], -part.lo[1], part.hi[2]),
+        points=tuple((-x, -y, z) for x, y, z in part.points),
+    )
+
+
+def _joint_turned(joint: Joint) -> Joint:
+    (ax, ay, az), (px, py, pz) = joint.axis, joint.anchor
+    return structs.replace(joint, axis=(0.0 - ax, 0.0 - ay, az), anchor=(-px, -py, pz))
 
 
 def outline_points(part: Part) -> list[Vec3]:

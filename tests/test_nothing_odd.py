@@ -22,7 +22,7 @@ from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Material
 from thinkblox.scene.placement import Placement, apart
 from thinkblox.scene.relations import measure
-from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.room import Opening, Room, turn_between
 from thinkblox.scene.surfaces import Covering, Surfaces
 
 
@@ -283,6 +283,17 @@ def test_who_serves_has_room_behind_the_counter(prompt, counter):
 def test_a_counter_that_is_asked_to_be_against_the_wall_is():
     room = made("A cafe with a counter against the wall and two tables")
     assert back_gap(room, placed(room, "counter")[0]) < 0.1
+
+
+def test_a_desk_with_somebody_behind_it_shows_its_front_to_visitors():
+    room = made(
+        "An office with a desk in the middle, a swivel chair behind it, two chairs in front and a computer on it"
+    )
+    desk, seat = placed(room, "executive_desk")[0], placed(room, "office_chair")[0]
+    assert desk.to_local(seat.position[:2])[0] < 0.0
+    assert all(desk.to_local(p.position[:2])[0] > 0.0 for p in placed(room, "chair"))
+    for yaw in (placed(room, "monitor")[0].yaw, seat.yaw + 180.0):
+        assert turn_between(yaw, desk.yaw + 180.0) < 30.0
 
 
 def test_visitors_sit_across_the_desk_from_who_works_there():

@@ -129,8 +129,11 @@ PROMPTS = {
     ),
     "A study with a large desk in the centre of the room, a leather chair behind it, two chairs in front of it, "
     "and bookcases covering the back wall.": (
-        "1 desk, 3 chair, 2 bookcase",
-        "desk in_centre centre, chair behind desk, chair in_front_of desk, bookcase against_wall far_wall",
+        "1 executive_desk, 3 chair, 2 bookcase",
+        (
+            "executive_desk in_centre centre, chair behind executive_desk, chair in_front_of executive_desk, "
+            "bookcase against_wall far_wall"
+        ),
         "",
     ),
     "A dining room with a table that seats ten, a china cabinet and a bar cart.": (

@@ -8,7 +8,7 @@ from thinkblox.knowledge.things import things
 
 
 class Sense(NamedTuple):
-    """A category that a word means where all conditions hold: "many", or "<fact>:<value>|<value>"."""
+    """A category that a word means where all conditions hold: "many", "few", or "<fact>:<value>|<value>"."""
 
     category: str
     conditions: tuple[str, ...]

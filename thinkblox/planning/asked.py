@@ -219,8 +219,13 @@ def _standing(members: Members, anchor: Member, subject: Member, relation: Relat
 
 
 def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members, count: int) -> RelationKind:
-    """The one seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
+    """The one seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it.
+
+    One that is worked at from behind has it there.
+    """
     habits, desk = load_habits(), anchors[0]
+    if relation.kind == "at" and len(anchors) == 1 and habits.is_in(desk.category, "worked_behind"):
+        return "behind" if habits.is_in(subject.category, "chairs") else relation.kind
     if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or count > 1:
         return relation.kind
     works = habits.is_in(subject.category, "chairs") and facts_of(desk.category).gaze == "back"

@@ -11,6 +11,8 @@ from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 _ROUNDS = 2
+_FEW = 4
+"""So many at most are few."""
 
 
 def choose_senses(draft: Draft, expected: Collection[str] = ()) -> None:
@@ -58,6 +60,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
+        "behind_it": {b.subject.noun for b in bonds if b.subject is not thing and b.kind == "behind"},
         "has_to_it": {name for b in bonds if b.subject is not thing for name in _relations(b)},
         "has": company,
     }
@@ -78,7 +81,12 @@ def _relations(bond: Bond) -> tuple[str, ...]:
 
 
 def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
-    if condition in ("many", "seated"):
-        return thing.many if condition == "many" else thing.seats > 0
+    match condition:
+        case "many":
+            return thing.many
+        case "few":
+            return (thing.count or 1) <= _FEW
+        case "seated":
+            return thing.seats > 0
     name, _, values = condition.partition(":")
     return not facts[name].isdisjoint(values.split("|"))

@@ -232,6 +232,8 @@ def _alike(surfaces: Sequence[Surface]) -> list[Surface]:
 
 
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
+    if _users_way(anchor) < 0.0 and situation.asset.front == "one":
+        return (180.0,)
     if situation.facts.is_in("staff_side") and not _against_wall(situation, anchor):
         return (180.0,)
     if situation.asset.front == "any" or (_looks_ahead(situation) and situation.target.count > 1):
@@ -239,6 +241,11 @@ def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[f
     if situation.size[1] > surface.size[1] or situation.asset.front == "two":
         return (0.0, 90.0)
     return (0.0, 90.0, 270.0)
+
+
+def _users_way(anchor: Placement) -> float:
+    """1, or -1 where who works at it sits behind it: what is before them is at the back."""
+    return -1.0 if facts_of(anchor.category).is_in("worked_behind") else 1.0
 
 
 def _against_wall(situation: Situation, anchor: Placement) -> bool:
@@ -264,14 +271,15 @@ def _spots(
         return
     yield from _by_companion(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
-    marked = situation.facts.spots
+    way = _users_way(anchor)
+    marked = tuple((way * u, way * v) for u, v in situation.facts.spots)
     if surface.headroom is not None and tie.kind == "on":
         yield from _beside_others(situation, anchor, surface, free, plan)
     if tie.count > 1 and not (marked and 1 < shelves >= tie.count):
         marked = _spread(tie, surface, free, shelves, plan, turns=situation.asset.front == "any")
         if _looks_ahead(situation) and marked[0][0] == 0.0:
-            marked = ((situation.facts.spots[0][0], marked[0][1]),)
-    if aside := _leaving_room(situation, surface):
+            marked = ((way * situation.facts.spots[0][0], marked[0][1]),)
+    if aside := way * _leaving_room(situation, surface):
         marked = ((marked[0][0] if marked else 0.0, aside),)
     elif surface.headroom is None and (tie.kind == "on" or (tie.kind == "inside" and not surface.round)):
         marked = _share_of(situation, anchor, surface, free, tie) or marked
@@ -292,7 +300,8 @@ def _by_companion(
     companion = situation.facts.companion
     if companion is None:
         return
-    du, dv = companion.side
+    way = _users_way(anchor)
+    du, dv = way * companion.side[0], way * companion.side[1]
     for p in situation.scene.resting_on(anchor.id):
         if p.category == companion.category:
             x, y = anchor.to_local((p.position[0], p.position[1]))
