@@ -44,14 +44,17 @@ def related(brief: Brief) -> set[str]:
         ("Six lockers on the left and as many on the right.", "12 locker"),
         ("A stack of six books on a desk.", "6 book, 1 desk"),
         ("Eight bar stools; every other stool has a coat on it.", "8 bar_stool, 4 coat"),
-        ("Two chairs in front of the desk, one behind it.", "3 chair, 1 desk"),
+        ("Two chairs in front of the desk, one behind it.", "3 chair, 1 executive_desk"),
         ("Twelve chairs; every third chair has a book on it.", "12 chair, 4 book"),
         (
             "Three desks, behind each an office chair and in front of each two stools.",
-            "3 desk, 3 office_chair, 6 stool",
+            "3 executive_desk, 3 office_chair, 6 stool",
         ),
         ("A cue rack. This holds five cues; the sixth lies on the pool table.", "1 cue_rack, 6 cue"),
         ("A dining table with six chairs per side, one at the head.", "1 dining_table, 13 chair"),
+        ("Two chairs at the table. Another two chairs by the window, one more by the door.", "5 chair"),
+        ("Five chairs: two by the window and three others at the table.", "5 chair"),
+        ("Four desks with a chair each. There are two extra chairs along the wall.", "4 desk, 6 chair"),
     ],
 )
 def test_so_many_are_read(prompt: str, counts: str) -> None:
@@ -80,6 +83,13 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
         ("A washing machine and a basket of towels in front.", "1 basket in_front_of washing_machine"),
         ("An island and a counter. Three stools at the island, each with a cushion on it, and two mugs on the counter.",
          "2 cup on counter"),
+        ("A desk with a chair behind it, and there are two more in front of it.",
+         "2 chair-2 in_front_of executive_desk"),
+        ("Two chairs stand at a round table with a vase on it. Another two are by the window.",
+         "2 chair-2 next_to window"),
+        ("A sofa with a lamp beside it and another in the corner.", "1 floor_lamp-2 in_corner corner"),
+        ("A dresser with a mirror above it, and there is another one above the bed.", "1 mirror-2 above bed"),
+        ("A chair is behind the desk and two others stand by the window.", "2 chair-2 next_to window"),
     ],
 )  # fmt: skip
 def test_who_stands_where_is_read(prompt: str, relations: str) -> None:

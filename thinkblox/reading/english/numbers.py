@@ -49,6 +49,39 @@ class Numbers(Verbs):
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
 
+    def _is_besides(self, noun: Noun) -> bool:
+        """Read "and two more in front of it", "another one is by the door": so many besides those that were named.
+
+        Not where several are parted: of five, "three others" are the rest.
+        """
+        parted = self.referents.parted is not None or (self.whole is not None and self.whole in self.draft.things)
+        if noun.det != "another" or noun.of_known or parted:
+            return False
+        named = self._latest_told()
+        if named is None:
+            return False
+        more = self._copy_of(named)
+        more.count, more.plural = noun.count, (noun.count or 1) > 1
+        told = self._is_told_next() or self._is_link(self.peek(), "verbs")
+        if self.separator and self.clause.members and not told:
+            self._take(more, noun)
+        else:
+            self._speak_of_part(more, noun)
+        return True
+
+    def _latest_told(self) -> Mention | None:
+        """Of what there is one more: what was named last, and is not what the one more stands by itself."""
+        near = [n.thing for n in reversed(self.frontier) if n.frame is not None and n.thing is not None]
+        near += self.clause.members[::-1]
+        topic = self.referents.topics[-1:]
+        link = self.peek() if self._is_told_next() else None
+        if topic and isinstance(link, Connector):
+            anchor = self._next_noun(1)
+            by_it = anchor is not None and anchor.kind == "pronoun"
+            its = [b for b in self.draft.bonds[::-1] if topic[0] in b.anchors and not b.implied]
+            near += [b.subject for b in its if by_it or b.kind == link.value]
+        return next((t for t in [*near, *topic, *self.referents.spoken[::-1]] if t in self.draft.things), None)
+
     def _is_of_each_kind(self, noun: Noun) -> bool:
         """Read "bowls, vases and plates, ten of each": so many of each kind that nobody counted."""
         each = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
@@ -147,6 +180,8 @@ class Numbers(Verbs):
         """Read numbers that ask for more of the same: "as many on the right", "three of roses", "and a red one"."""
         if noun.share:
             self._as_many(noun)
+            return True
+        if self._is_besides(noun):
             return True
         looks = Adjective(noun.start, noun.end, noun.text, [*noun.attributes], [], [*noun.unshown])
         one = noun.det == "a" and noun.text.lower().endswith(" one")

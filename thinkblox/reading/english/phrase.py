@@ -74,8 +74,8 @@ class PhraseReader(Heads):
             return self._finished(noun)
         units = Units()
         end = self._units(noun, at, units)
-        if not units.nouns:
-            return self._headless(noun, at, end, units)
+        if not units.nouns or self._is_what_they_do(noun, at, end):
+            return self._headless(noun, at, at if units.nouns else end, units)
         noun.end = end
         self._head(noun, units)
         noun.called = f"{noun.called} {self._called(noun, units)}".strip()
@@ -92,6 +92,14 @@ class PhraseReader(Heads):
             look = Noun("number", "", noun.start, noun.end, det=noun.det, count=noun.count, attributes=[noun.material])
             return self._finished(look)
         return self._finished(noun)
+
+    def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
+        """Whether a verb follows a number that stands for things: "two stand by the window", "three others face it"."""
+        several = noun.count is not None and noun.count > 1 and not noun.of_known
+        verb = grammar().at(self.tokens, at, "verbs") if several and end == at + 1 else None
+        if verb is None or verb.length != 1 or self.tokens[at].text.endswith("s"):
+            return False
+        return grammar().at(self.tokens, end, "prepositions", "pronouns", "determiners") is not None
 
     def _part(self, noun: Noun, at: int, *, after_preposition: bool) -> bool:
         part = self._longest_part(at)

@@ -66,6 +66,8 @@ class Pronouns(Numbers):
             self.negating = True
             return
         following = self.peek()
+        if noun.text.lower() == "another" and self._is_besides(replace(noun, det="another", count=1)):
+            return
         if noun.text.lower() == "neither" and self.frontier and self._is_link(following, "prepositions"):
             self.negating, self.separator = True, ""
         elif noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":

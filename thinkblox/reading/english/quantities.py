@@ -43,7 +43,7 @@ class Quantities(Words):
             return 0
         if noun.det and not (best.value == "other" and noun.det == "the") and best.value not in ("my", "any"):
             return 0
-        if best.value == "another":
+        if best.value == "another" and self._number(at + best.length) is None:
             noun.count = noun.count or 1
         noun.det = noun.det if noun.det in ("each", "both", "half", "none", "no") else best.value
         noun.of_known |= best.value in ("half", "none")
@@ -128,7 +128,17 @@ class Quantities(Words):
         noun.count = min(value, 10**6)
         self._bound(noun, quantifier.value if quantifier else "", value)
         length += self._range(noun, at + skip + length)
+        length += self._besides(noun, at + skip + length)
         return skip + length + self._times(at + skip + length)
+
+    def _besides(self, noun: Noun, at: int) -> int:
+        """Read "two more", "one other", "three others": so many besides those that were named."""
+        if noun.det or self._text(at, at + 1).lower() not in grammar().lists["besides"]:
+            return 0
+        if self._text(at + 1, at + 2) == "than":
+            return 0
+        noun.det = "another"
+        return 1
 
     def _is_twin_bed(self, noun: Noun, at: int) -> bool:
         """Whether "twin" is a size: "a twin bed"; "twin armchairs" are two."""
