@@ -2,6 +2,7 @@
 
 import pytest
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.brief import Brief
 from thinkblox.reading import read_brief
 
@@ -90,6 +91,18 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
         ("A sofa with a lamp beside it and another in the corner.", "1 floor_lamp-2 in_corner corner"),
         ("A dresser with a mirror above it, and there is another one above the bed.", "1 mirror-2 above bed"),
         ("A chair is behind the desk and two others stand by the window.", "2 chair-2 next_to window"),
+        ("Two tables. One has four chairs around it. On the other are three vases.", "3 vase on dining_table-2"),
+        ("Two desks. One has two monitors on it. The other has a lamp.", "1 desk_lamp on desk-2"),
+        ("Two shelves. One holds ten books. The second one holds six cups.", "6 cup inside shelving_unit"),
+        ("Two shelves; the first holds eight soup cans, the second one six bags of chips.",
+         "6 bag_of_chips inside shelving_unit-2"),
+        ("Two beds. One stands by the window. A lamp hangs above the other.", "1 pendant_lamp above bed-2"),
+        ("Two desks. Mine has a plant on it, his has two mugs.", "2 cup on desk-2"),
+        ("My desk is by the window, his is by the door.", "1 desk-2 next_to door"),
+        ("Her bed stands by the window, his bed by the door.", "1 bed-2 next_to door"),
+        ("A sofa facing the TV. The TV stands on a low cabinet with a soundbar.", "1 tv on sideboard"),
+        ("A medicine cabinet hangs above the sink. Inside it are ten bottles.", "10 bottle inside wall_cabinet"),
+        ("Behind the counter a tall medicine cabinet stands; ten bottles are inside it.", "10 bottle inside cabinet"),
     ],
 )  # fmt: skip
 def test_who_stands_where_is_read(prompt: str, relations: str) -> None:
@@ -215,3 +228,19 @@ def test_what_is_denied_of_things_that_nobody_named_is_said() -> None:
     assert brief.unknown == ("no desk faces a window",)
     assert brief.excluded == ()
     assert not any(r.asked for r in brief.relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "looks"),
+    [
+        ("Two tables. One has four chairs around it. The other is round.", "dining_table-2", "round"),
+        ("There are two desks. Mine is a cheap pine one. Hers is white.", "desk-2", "white"),
+        ("Two mugs on the table, mine is blue, hers is pink.", "cup-2", "pink"),
+        ("My bed is red, hers is blue.", "bed-2", "blue"),
+        ("Two armchairs, hers and his. Hers is green and stands near the window. His is brown.", "armchair-2", "brown"),
+    ],
+)
+def test_each_has_its_own_looks(prompt: str, category: str, looks: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert [word for word in brief.request(category).attributes if word in COLOURS or word == looks] == [looks]
+    assert brief.unknown == ()

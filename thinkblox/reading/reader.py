@@ -120,12 +120,13 @@ def _settle_carriers(draft: Draft) -> None:
     """What has no inside carries on top, and furniture "on" a wall stands against it."""
     opposite = any(bond.anchors == ("opposite_wall",) for bond in draft.bonds)
     shared = len({id(bond.subject) for bond in draft.bonds if bond.anchors == ("one_wall",)}) > 1
+    habits = load_habits()
     for bond in draft.bonds:
         if bond.anchors == ("one_wall",) and not (opposite or shared or bond.subject.plural):
             bond.anchors = ("wall",)
         anchor = bond.anchors[0] if bond.anchors else None
-        if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):
-            bond.kind = "on"
+        if bond.kind == "inside" and isinstance(anchor, Mention) and habits.is_in(anchor.noun, *_TOPS):
+            bond.kind = "inside" if habits.is_in(anchor.noun, "storage") else "on"
         elif bond.kind == "on" and isinstance(anchor, str) and not bond.negated:
             _hang(bond, anchor)
         elif bond.kind == "on" and isinstance(anchor, Mention) and not bond.negated:

@@ -99,6 +99,8 @@ class Boundaries(State):
         self.said = self.verb if kind == "semicolon" else ""
         self.verb = ""
         if kind == "stop":
+            left = self.referents.parted or self.referents.left
+            self.referents.left = None if any(left in known.values() for known in self.ordinals.values()) else left
             self.referents.parted = None
             self.meanings.forget_sides()
             self.fresh.clear()

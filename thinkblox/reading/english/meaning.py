@@ -257,7 +257,7 @@ class Meanings:
         return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
 
     def _other(self, kind: str, subjects: list[Mention]) -> Meaning | None:
-        whole = self.referents.parted
+        whole = self.referents.parted or self.referents.left_over()
         if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
             return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
         across = self.place is not None and str(self.place.anchors[0]).endswith("_wall") and kind in ("on", "next_to")

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Noun
@@ -62,6 +63,9 @@ class Numbers(Verbs):
             return False
         more = self._copy_of(named)
         more.count, more.plural = noun.count, (noun.count or 1) > 1
+        look = self.peek(1) if self._is_link(self.peek(), "verbs", "be") else self.peek()
+        if isinstance(look, Adjective) and not COLOURS.keys().isdisjoint(look.attributes):
+            more.attributes = [word for word in more.attributes if word not in COLOURS]
         told = self._is_told_next() or self._is_link(self.peek(), "verbs")
         if self.separator and self.clause.members and not told:
             self._take(more, noun)
@@ -119,8 +123,10 @@ class Numbers(Verbs):
         return True
 
     def _is_look_of_last(self, noun: Noun) -> bool:
-        """Take "the stove, a black cast-iron one" for what the stove is like."""
+        """Take "the stove, a black cast-iron one", "mine is a black one" for what the stove is like."""
         thing = self.frontier[-1].thing if self.frontier else None
+        of_subject = self.subject is not None and self._is_link(self._before(), "verbs", "be") and not self.existential
+        thing = self.subject.thing if of_subject and self.subject is not None else thing
         told = self._is_link(self._before(), "mark", "colon") and not self.frontier
         thing = self.referents.spoken[-1] if told and self.referents.spoken else thing
         plain = noun.det == "a" and noun.word == "one" and not (noun.of_known or noun.ordinal or noun.side)
@@ -128,8 +134,8 @@ class Numbers(Verbs):
             thing is None
             or thing.many
             or not plain
-            or self.referents.parted is not None
-            or not (self.separator == "comma" or told)
+            or (self.referents.parted is not None and not of_subject)
+            or not (self.separator == "comma" or told or of_subject)
             or not (noun.attributes or noun.unshown or len(noun.text.split()) > len(("a", "one")))
         ):
             return False

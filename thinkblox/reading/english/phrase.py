@@ -28,6 +28,8 @@ class PhraseReader(Heads):
     def read(self, start: int, *, after_preposition: bool = False) -> Noun | None:
         """The noun phrase that begins at `start`, or None."""
         noun = Noun("abstract", "", start, start)
+        if self._is_owned(start):
+            return self._finished(Noun("pronoun", "other", start, start + 1))
         pronoun = grammar().at(self.tokens, start, "pronouns")
         if pronoun is not None and pronoun.value in ("former", "latter"):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
@@ -45,8 +47,9 @@ class PhraseReader(Heads):
         at = self._before(noun, start)
         if noun.ordinal and (number := self._number(at)) is not None:
             several = not self._starts_noun(at + number[1])
-            if noun.ordinal != 1 and not several:
-                noun.kind, noun.end = "number", at
+            counts_next = self._is_one(at) and self._number(at + 1) is not None
+            if (noun.ordinal != 1 or counts_next) and not several:
+                noun.kind, noun.end = "number", at + self._is_one(at)
                 return self._finished(noun)
             noun.end, noun.count, noun.plural = at + number[1], number[0], number[0] > 1
             if several:
@@ -54,6 +57,13 @@ class PhraseReader(Heads):
                 return self._finished(noun)
             noun.of_known, at = True, noun.end
         return self._named_at(noun, at, after_preposition=after_preposition)
+
+    def _is_owned(self, at: int) -> bool:
+        """Whether what is somebody's is meant, without its name: "his is by the door", "two desks, hers and his"."""
+        if self.tokens[at].text not in grammar().lists["owned"]:
+            return False
+        ends = at + 1 >= len(self.tokens) or self.tokens[at + 1].kind == "mark" or self.tokens[at + 1].text == "and"
+        return ends or grammar().at(self.tokens, at + 1, "verbs") is not None
 
     def _ends_with_them(self, start: int, end: int) -> bool:
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
@@ -94,10 +104,10 @@ class PhraseReader(Heads):
         return self._finished(noun)
 
     def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
-        """Whether a verb follows a number that stands for things: "two stand by the window", "three others face it"."""
-        several = noun.count is not None and noun.count > 1 and not noun.of_known
-        verb = grammar().at(self.tokens, at, "verbs") if several and end == at + 1 else None
-        if verb is None or verb.length != 1 or self.tokens[at].text.endswith("s"):
+        """Whether a verb follows a number that stands for things: "two stand by the window", "one stands there"."""
+        counted = noun.count is not None and not noun.of_known
+        verb = grammar().at(self.tokens, at, "verbs") if counted and end == at + 1 else None
+        if verb is None or verb.length != 1 or self.tokens[at].text.endswith("s") != (noun.count == 1):
             return False
         return grammar().at(self.tokens, end, "prepositions", "pronouns", "determiners") is not None
 
@@ -286,13 +296,21 @@ class PhraseReader(Heads):
         """Part "a tall plant | stands near the door" from "two plant stands"."""
         if known is None or known.length < 2 or not known.entry.plural:
             return known
-        if noun.count not in (None, 1) or (noun.count is None and noun.det not in ("a", "each", "another")):
-            return known
-        if grammar().at(self.tokens, at + known.length - 1, "verbs") is None:
+        verb = at + known.length - 1
+        single = noun.count == 1 or (noun.count is None and noun.det in ("a", "each", "another"))
+        again = noun.count is None and noun.det in ("the", "my") and self._is_said_before(at, verb)
+        if not (single or again) or grammar().at(self.tokens, verb, "verbs") is None:
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")
         return Known(entry, shorter.length) if entry is not None else known
+
+    def _is_said_before(self, at: int, end: int) -> bool:
+        """Whether the same words came before, and what came after them was another word or none."""
+        said, after = [token.text for token in self.tokens[at : end + 1]], end - at
+        before = (self.tokens[n : n + after + 1] for n in range(at - after))
+        found = ([token.text for token in tokens] for tokens in before)
+        return any(words[:after] == said[:after] and singular(words[after]) != singular(said[after]) for words in found)
 
     def _ends_early(self, noun: Noun, at: int, units: Units) -> bool:
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
 
@@ -65,19 +66,32 @@ class Pronouns(Numbers):
         if noun.value == "none" and self._is_link(self._before(), "verbs", "be", "stand", "hang") and self.predicate:
             self.negating = True
             return
-        following = self.peek()
-        if noun.text.lower() == "another" and self._is_besides(replace(noun, det="another", count=1)):
+        if self._is_somebodys(noun) or (noun.text.lower() == "another" and self._is_besides(_one_more(noun))):
             return
+        following = self.peek()
         if noun.text.lower() == "neither" and self.frontier and self._is_link(following, "prepositions"):
             self.negating, self.separator = True, ""
         elif noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
             self.excluding = not following.definite
         elif noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
-        elif (whole := self._whole([])) is not None:
+        elif (whole := (self._left_over() if noun.value == "other" else None) or self._whole([])) is not None:
             self._speak_of_some(whole, noun)
         elif noun.value != "half" and not (noun.text.lower() == "another" and self._repeat()):
             self._lose(noun.start, noun.end)
+
+    def _is_somebodys(self, noun: Noun) -> bool:
+        """Read "two armchairs, hers and his", and "my desk is here, his is there": one more of the same."""
+        owned = grammar().lists["owned"]
+        if noun.text.lower() not in owned:
+            return False
+        theirs = self._next_noun(1) if self._is_link(self.peek(), "joins", "and") else None
+        if theirs is not None and theirs.text.lower() in owned:
+            self._spend(theirs)
+            self._go_past(theirs)
+            return True
+        several = self.referents.left_over() is not None or self._whole([]) is not None
+        return not several and self._is_besides(_one_more(noun))
 
     def _speak_of_some(self, whole: Mention, noun: Noun) -> None:
         """Speak of one, another, the other, half or none of several."""
@@ -95,6 +109,8 @@ class Pronouns(Numbers):
                 said = self.verb
                 self._part_of(whole, 1, noun)
                 self._again(said)
+            case "other" if noun.text.lower() in grammar().lists["owned"] and not self.referents.parts.get(whole):
+                self._part_of(whole, 1, noun)
             case "other":
                 self.referents.parted = None
                 said = self.said or self.verb
@@ -153,3 +169,8 @@ class Pronouns(Numbers):
     def _spoken_of(self) -> list[Mention]:
         recent = self.clause.members[-1:] if self.separator else []
         return [t for t in (*recent, *self.referents.topics[-1:]) if not t.many]
+
+
+def _one_more(noun: Noun) -> Noun:
+    """What says of a pronoun that it is one besides those that were named."""
+    return replace(noun, det="another", count=1)

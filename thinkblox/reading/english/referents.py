@@ -38,6 +38,7 @@ class Referents:
         pairs: things that were just related or joined.
         two: the former and the latter, once they were spoken of as that.
         parted: what is left of several of which some were set apart.
+        left: the same once the sentence has ended, until more is told of it.
         parts: what was set apart from each.
         shared: several of which something was said of each.
         centre: what a pronoun of the clause before meant; what comes is about it rather than about what stands there.
@@ -49,6 +50,7 @@ class Referents:
         self.topics: list[Mention] = []
         self.pairs: list[tuple[Mention, Mention]] = []
         self.parted: Mention | None = None
+        self.left: Mention | None = None
         self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
         self.shared: set[Mention] = set()
@@ -65,6 +67,7 @@ class Referents:
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
         named = _is_own_name(noun.text, noun.value) and noun.named and noun.kind == "thing"
         recent = [t for t in recent if t.asked and not (named and _is_another_kind(noun, t))]
+        recent = [t for t in recent if not _is_of_another(noun, t)]
         word = noun.word
         apart = grammar().lists["told_apart"]
         if word in apart:
@@ -309,6 +312,10 @@ class Referents:
         self.speak(part)
         return part
 
+    def left_over(self) -> Mention | None:
+        """What is left of several of which some were told of in a sentence before."""
+        return self.left if self.left in self.draft.things else None
+
     def leave_out(self, whole: Mention, count: int) -> None:
         """Set so many of `whole` apart, of which nothing is said; the others stay `whole`."""
         self.part(whole, count)
@@ -357,6 +364,13 @@ def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention],
     if kind in ("at_foot_of", "at_long_side", "at_short_side") and thing not in sound:
         return False
     return (thing in likely[:1] and not habits.is_in(thing.noun, "lamps")) or thing in sound
+
+
+def _is_of_another(noun: Noun, thing: Mention) -> bool:
+    """Whether it was said to be somebody else's: her bed is not his."""
+    owners = grammar().lists["owners"]
+    now, before = (text.partition(" ")[0].lower() for text in (noun.text, thing.text))
+    return noun.det == "my" and now in owners and before in owners and now != before
 
 
 def _has_other_colour(thing: Mention, shades: Collection[str]) -> bool:

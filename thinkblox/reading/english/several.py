@@ -35,8 +35,15 @@ class Several(Boundaries):
         )
         return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
 
+    def _left_over(self) -> Mention | None:
+        """What "the other" means that begins a sentence after one in which some of several were told of."""
+        begins = not (self.clause.members or self.frontier or self.referents.parted)
+        return self.referents.left_over() if begins else None
+
     def _one_left(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
         """What a number parts; "the one by the door" is of those of which another was called so before."""
+        if (noun.det == "other" or noun.ordinal > 1) and (rest := self._left_over()) is not None:
+            return rest
         left = self.singled if noun.text.lower() == "the one" else None
         kept = left is not None and left in self.draft.things and left not in besides and not self.referents.parted
         counted = self._counted_before(noun, besides) if not kept else None
