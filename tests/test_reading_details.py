@@ -413,6 +413,13 @@ from thinkblox.reading import read_brief
         ("An open shelf rather than a cabinet for his paint pots - there are six of them.",
          ["6 paint_can inside shelving_unit"]),
         ("A ball of dough on the counter and a rolling pin to the left of the dough.", ["1 rolling_pin left_of dough"]),
+        # "Them" are not the one that has something; who sits at a table says how many chairs are at its sides.
+        ("Five chairs along one wall, a low table with magazines in front of them.",
+         ["1 coffee_table in_front_of chair"]),
+        ("A desk with two monitors and a keyboard in front of them.", ["1 keyboard in_front_of monitor"]),
+        ("The meeting room should seat eight: a long table, chairs on both long sides.",
+         ["8 chair at_long_side conference_table"]),
+        ("A table by the door, and two chairs that are round.", ["1 dining_table next_to door"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
@@ -646,3 +653,24 @@ def test_a_closet_that_is_called_after_what_is_in_it_is_a_room(prompt: str, room
     brief = read_brief(prompt, fill="named")
     assert brief.room_type == room
     assert sum(r.count for r in brief.requests if r.category == "toilet") == toilets
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [
+        ("A table that is round by the door, and two chairs.", {"dining_table": ("round",), "chair": ()}),
+        ("A bed that is not big.", {"bed": ("small",)}),
+        ("The table is round, and the chairs are not big.", {"dining_table": ("round",), "chair": ("small",)}),
+        ("It's not a big room. A bed.", {"bed": ()}),
+    ],
+)
+def test_what_is_said_not_to_be_big_is_small(prompt: str, looks: dict[str, tuple[str, ...]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    found = {r.category: tuple(a for a in r.attributes if not a.startswith("for-")) for r in brief.requests}
+    assert found == looks
+    assert "large" not in brief.style
+
+
+def test_a_look_that_is_denied_is_said() -> None:
+    assert read_brief("Two chairs. They are not red.", fill="named").unknown == ("red",)
+    assert read_brief("Not a big room, with a bed.").style == ("small",)

@@ -44,6 +44,7 @@ def test_what_goes_with_a_mood_is_assumed_and_the_word_is_accounted_for() -> Non
         ("A living room for a party, without balloons", "balloon"),
         ("An empty room for a party", "balloon"),
         ("A Victorian parlour", "tv"),
+        ("A bedroom where everything is blue", "saxophone"),
     ],
 )
 def test_a_word_that_tells_no_mood_adds_nothing(prompt: str, never: str) -> None:

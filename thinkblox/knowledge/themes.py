@@ -16,6 +16,8 @@ from thinkblox.value import Value
 
 _SPOTS = ("place", "somewhere", "corner", "area", "spot", "nook", "space", "room", "zone")
 """Where something is done: "a place to eat"."""
+_ONLY_PLURAL = ("blues",)
+"""Words that mean something else without the ending of a plural."""
 
 
 class Theme(Value, frozen=True, kw_only=True):
@@ -117,4 +119,5 @@ def _phrases() -> tuple[dict[tuple[str, ...], Theme], int]:
 def _plain(word: str) -> str:
     """A word without case, marks, an ending "'s" or that of a plural."""
     bare = re.sub(r"['\u2019]s?$", "", word.lower()).replace("'", "")
-    return bare.removesuffix("s") if len(bare) > 3 and not bare.endswith("ss") else bare
+    plural = len(bare) > 3 and not bare.endswith("ss") and bare not in _ONLY_PLURAL
+    return bare.removesuffix("s") if plural else bare

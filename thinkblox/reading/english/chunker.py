@@ -299,6 +299,9 @@ class Cutter:
         """Read "the table is round", where nothing comes that it could be around."""
         ends = self.at + 1 >= len(self.tokens) or self.tokens[self.at + 1].kind == "mark"
         joined = grammar().at(self.tokens, self.at + 1, "joins") is not None
+        last = self.made[-1] if self.made else None
+        said = isinstance(last, Connector) and (last.sort, last.value) in (("verbs", "be"), ("negations", "not"))
+        joined |= said and grammar().at(self.tokens, self.at + 1, "prepositions", "inverses") is not None
         if self._text_at(self.at) != "round" or not (ends or joined):
             return None
         return self._phrases.adjective(self.at)

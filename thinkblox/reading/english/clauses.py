@@ -8,6 +8,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -388,7 +389,7 @@ class Clauses(Audit):
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
             if isinstance(chunk, Connector):
-                if chunk.sort == "verbs":
+                if chunk.sort == "verbs" or is_denied_verb(chunk):
                     text = chunk.text.lower()
                     return chunk.value != "put" and not text.startswith("there")
                 if chunk.sort == "mark" or (chunk.sort == "joins" and chunk.value != "and") or chunk.sort == "mutual":

@@ -36,12 +36,13 @@ class Descriptions(Rooms):
         node = self.frontier[-1] if self.frontier else None
         if node is None or not node.things:
             if not self.draft.things:
-                self.draft.room_attributes += said.attributes
+                self.draft.room_attributes += self._looks_of(said, denied=self.negating)
             elif said.attributes:
                 self.account.mark(said.start, said.end, "style")
             return
+        looks = self._looks_of(said, denied=self.negating)
         for thing in (self.subject or node).things if self.predicate else node.things:
-            thing.attributes += said.attributes if not self.negating else []
+            thing.attributes += looks
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
 

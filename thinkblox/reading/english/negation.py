@@ -12,6 +12,13 @@ _TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry
 """Verbs that tell something of what is there."""
 _NOT_PLACED = ("with", "without", "of", "for", "as", "except", "instead", "from", "to", "in")
 """Prepositions after which it is not said where things are."""
+_DENIED = ("is not", "are not", "isn't", "aren't", "isnt", "arent")
+"""Verbs that deny what follows of their subject."""
+
+
+def is_denied_verb(link: Connector) -> bool:
+    """Whether it is what a clause of its own says of its subject: "is not", "are not"."""
+    return link.sort == "negations" and link.text.lower() in _DENIED
 
 
 def text_is_no(link: Connector) -> bool:
@@ -49,7 +56,7 @@ class Negation(Positions):
             self.excluding = True
             return
         text = link.text.lower()
-        said_of = " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never")
+        said_of = " be" in text or text in (*_DENIED, "not", "never")
         if self.relative is not None:
             self.subject, self.relative, self.predicate = self.relative, None, True
         elif text == "not" and self._is_link(before, "joins", "but") and not self.predicate and self.frontier:

@@ -13,6 +13,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 
 _SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to", "in_front_of")
 """How seats stand to their tables."""
+_MOST_MEET = 20
+"""More people than this do not all sit at one table."""
 
 
 class Relating(Naming):
@@ -194,7 +196,8 @@ class Relating(Naming):
         alone = len(meaning.anchors) == 1 and not (isinstance(a := meaning.anchors[0], Mention) and a.many)
         bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
-            subject.count = 2
+            seated = subject.plural and self.habits.is_in(subject.noun, "seats")
+            subject.count = (self._places(meaning) if seated else 0) or 2
         elif meaning.both and meaning.times == 1 and (subject.count or 0) > 1 and (subject.count or 0) % 2:
             # So many cannot be parted into two like halves: they are those of one side.
             subject.count = 2 * (subject.count or 0) if meaning.kind == "next_to" else subject.count
@@ -205,6 +208,13 @@ class Relating(Naming):
                 subject.least *= meaning.times
         elif meaning.spread > 1 and (subject.count in (None, 1) or (subject.vague and subject.count < meaning.spread)):
             subject.count = meaning.spread
+
+    def _places(self, meaning: Meaning) -> int:
+        """How many sit at the one table that seats are at, as far as that is told; 0 where it is not."""
+        table = meaning.anchors[0]
+        if not isinstance(table, Mention) or self._seated(table) != "around":
+            return 0
+        return table.seats or (self.draft.people if self.draft.people <= _MOST_MEET else 0)
 
     def _multiply_carried(self, carrier: Mention) -> None:
         """Take "a sculpture on a pedestal in each corner" for one on each pedestal."""

@@ -29,6 +29,8 @@ COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
 
+_OTHER_SIZE = {"large": "small", "small": "large"}
+"""What a room is that is not so."""
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
 
@@ -47,7 +49,8 @@ class Rooms(Memberships):
             self.draft.unknown.append(" ".join([*noun.unshown, noun.text.lower().split()[-1]]))
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
-        self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
+        looks = self._looks_of(noun, denied=noun.det == "no" or self.negating)
+        self.draft.room_attributes += [a for a in looks if not people((a,))]
         owners = grammar().people(word.strip("'\u2019") for word in noun.text.lower().split())
         self.draft.people = self.draft.people or people(noun.attributes) or owners
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
@@ -68,6 +71,14 @@ class Rooms(Memberships):
             self._pass_whole()
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
+
+    def _looks_of(self, said: Noun | Adjective, *, denied: bool) -> list[str]:
+        """What words tell of the looks of a thing or room: what is denied to be big is small, other looks are said."""
+        if not denied:
+            return said.attributes
+        if not _OTHER_SIZE.keys() >= {*said.attributes}:
+            self._lose(said.start, said.end)
+        return [_OTHER_SIZE[a] for a in said.attributes if a in _OTHER_SIZE]
 
     def _room_of_whole(self, noun: Noun) -> str:
         """The hotel lobby of "lobby of a small hotel", as what has both words in its name; empty where nothing has.

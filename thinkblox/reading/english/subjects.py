@@ -176,9 +176,14 @@ class Subjects(Having):
         inside = any(b.kind == "inside" and b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing))
         if noun.kind == "pronoun" and inside and where.word in _BY_OWNER and not frame.each:
             return True
-        if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
+        if noun.kind != "pronoun" or frame.each or not self._is_held(thing, frame):
             return False
         owner = head.things[-1]
+        if noun.value == "them" and where.word in _BY_OWNER and len(frame.members) == 1 and not owner.many:
+            them = self.referents.several([thing], where.word)
+            return bool(them) and not any(is_small(t) or t is owner for t in them)
+        if noun.value != "it":
+            return False
         nested = head.frame is not None and head.frame.head is not None and self._contains(owner) and is_small(owner)
         if where.word in ("on", "on_top") and nested and len(frame.members) == 1:
             return True
