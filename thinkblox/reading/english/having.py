@@ -142,6 +142,8 @@ class Having(Groups):
             self._spend(noun)
             self._go_past(place)
             self._lose(noun.start, place.end)
+        elif self.predicate:
+            self._begin_again()
         return True
 
     def _is_of_room_again(self, noun: Noun, head: Node) -> bool:

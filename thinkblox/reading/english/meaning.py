@@ -259,7 +259,8 @@ class Meanings:
     def _other(self, kind: str, subjects: list[Mention]) -> Meaning | None:
         whole = self.referents.parted or self.referents.left_over()
         if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
-            return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
+            other = self._other_of_two(self.anchor[1]) or self.name.another(self.anchor[1])
+            return self._fitting(Meaning(kind, (other,), told=True), subjects)
         across = self.place is not None and str(self.place.anchors[0]).endswith("_wall") and kind in ("on", "next_to")
         if whole is None and kind in _TOWARDS and not across:
             kin = [t for t in self.referents.draft.things if subjects and t.noun == subjects[-1].noun]
@@ -272,6 +273,12 @@ class Meanings:
         self.referents.parted = None
         return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
 
+    def _other_of_two(self, thing: Mention) -> Mention | None:
+        """The blue one of "a red chair and a blue one", where the red one was just spoken of."""
+        kin = [t for t in self.referents.draft.things if t.noun == thing.noun and t.asked]
+        others = [t for t in kin if t is not thing]
+        return others[0] if len(others) == 1 and not others[0].many else None
+
     def _number(self, where: Where, said: Noun, subjects: list[Mention], noun: str) -> Meaning | None:
         """Read "on the left one", "on the third", "on two of them"."""
         if (wall := self._other_wall(where, said)) is not None:
@@ -279,6 +286,7 @@ class Meanings:
         found = self.name.some_of(said, besides=subjects)
         if found is None:
             return None
+        self.anchor, self.place = (self._kind(where.word), found), None
         meaning = self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
         single = bool(subjects) and subjects[-1].count == 1
         meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")

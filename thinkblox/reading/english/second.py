@@ -256,7 +256,7 @@ class SecondOpinion:
         later = [p for p in places if p.link.start > place.last and p.of and p.of[0] is not place.led]
         if any(set(self._things(p.anchor)) & set(anchors) for p in later):
             return False
-        things = self._things(*(p.of[0] for p in later))
+        things = [t for p in later for t in self._things(p.of[0]) if self._first[t] >= p.of[0].start]
         doubled = (t for t in things if len(self._draft.bonds_of(t)) > 1)
         return any(not b.implied and set(b.anchors) & set(anchors) for t in doubled for b in self._draft.bonds_of(t))
 

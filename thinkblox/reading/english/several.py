@@ -75,7 +75,7 @@ class Several(Boundaries):
             if told and (whole is None or whole not in self.sides) and not self._are_newer(whole, told[-1]):
                 return told[-1]
         if whole is None:
-            return None
+            return self._of_look(noun, besides)
         parts = self.referents.parts.get(whole, [])
         if noun.ordinal:
             return self._ordinal(noun, whole)
@@ -95,6 +95,12 @@ class Several(Boundaries):
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _of_look(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
+        """The red chair that "the red one" means where a red and a blue chair were named."""
+        looks = set(noun.attributes) if noun.kind == "number" and noun.det in ("the", "my") else set()
+        like = [t for t in self.draft.things if t.asked and t not in besides and looks <= with_general(t.attributes)]
+        return like[0] if looks and len(like) == 1 and not like[0].many else None
 
     def _are_newer(self, two: Mention | None, told: Mention) -> bool:
         """Whether two were named since others were told to be at two sides: "the left one" is one of them."""
