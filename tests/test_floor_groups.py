@@ -161,7 +161,8 @@ def test_rows_of_desks_look_at_the_board_in_lines_with_aisles():
 def test_a_chair_behind_each_desk_is_drawn_up_to_it():
     prompt = "An office with four desks in two rows, each with a chair behind it."
     assert unmet(prompt) == []
-    desks, chairs = of(prompt, "desk"), of(prompt, "office_chair") + of(prompt, "chair")
+    desks, chairs = of(prompt, "executive_desk"), of(prompt, "office_chair") + of(prompt, "chair")
+    assert len(desks) == len(chairs) == 4
     assert all(turn_between(d.yaw, desks[0].yaw) % 180.0 < 1.0 for d in desks)
     assert all(min(apart(chair, desk) for desk in desks) < 0.3 for chair in chairs)
 
