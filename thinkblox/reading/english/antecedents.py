@@ -24,6 +24,8 @@ _WINDOW = 60
 """How many chunks back a pronoun can reach."""
 _BESIDE = ("next_to", "left_of", "right_of", "in_front_of", "behind", "near")
 """Relations that nothing has to what it lies on."""
+_SIDES = ("left_of", "right_of", "in_front_of", "behind", "above", "under")
+"""Relations of which two are told of one thing in a row: "the fridge is left of the stove, the sink right of it"."""
 _FAINT = 0.25
 """How much of a part of a sentence counts once another sentence has begun."""
 _PAIR = 2
@@ -182,7 +184,8 @@ class Antecedents:
         for named in before:
             things = [p for t in self._meant[named.noun.start] for p in self._referents.family(t)]
             if len(things) > 1 or any(t.many for t in things):
-                weigh(self._place(kind, named, own, seen) + by["family"] * (len(things) > 1), things)
+                family = by["family"] * (len(things) > 1) + by["apart"] * self._are_told_apart(things, seen)
+                weigh(self._place(kind, named, own, seen) + family, things)
         runs = list(_lists(seen.named, own))
         for run in runs:
             things = [t for n in run for t in self._meant[n.noun.start]]
@@ -198,6 +201,11 @@ class Antecedents:
                     score = (self._place(kind, named, own, seen) + self._place(kind, other, own, seen)) / 2
                     weigh(score + by[f"pair_{tied}"], pair)
         return scores
+
+    def _are_told_apart(self, things: Sequence[Mention], seen: Survey) -> bool:
+        """Whether the last sentence told of each of two: "one is by the window, the other by the door"."""
+        told = [n for n in seen.named if n.sentence >= seen.sentence - 1 and self._means_any(n, things)]
+        return len(things) == _PAIR and not any(t.many for t in things) and len(told) >= _PAIR
 
     def _was_named_before(self, named: Occurrence, seen: Survey) -> bool:
         """Whether it is spoken of again, and not for the first time: "by the bookcase", of which nobody knew."""
@@ -239,7 +247,10 @@ class Antecedents:
         if named.role == "anchor":
             known = named.noun.definite and self._was_named_before(named, seen)
             score += by["known"] * known + by["fresh"] * (named.noun.definite and not known)
-            score += by["latest"] * (known and named.part == seen.part - 1 and not back)
+            right_before = named.part == seen.part - 1 and not back
+            score += by["latest"] * (known and right_before)
+            alike = kind in _SIDES and named.link in _SIDES and right_before and not seen.verb
+            score += by["parallel"] * (alike and own is not None and own.part == seen.part and own.role == "head")
             near = own is not None and named.part == seen.part and not back and own.noun.start < named.noun.start
             score += by["own"] * (near and not seen.having > named.noun.start)
         score += self._centre(named, seen)

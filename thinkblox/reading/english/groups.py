@@ -141,7 +141,7 @@ class Groups(Descriptions):
             begins = False
         elif begins or not nodes:
             found = list(self.referents.several([], "each"))
-            found = [t for t in found if t.many or len(found) > 1]
+            found = [t for t in found if t.many or len(found) > 1] or self.referents.joined
             if begins and found:
                 self.frontier = [Node(found, self.clause, known=True, each=True)]
                 self.clause.members += found
@@ -154,7 +154,7 @@ class Groups(Descriptions):
         if nodes:
             del self.frontier[self.frontier.index(nodes[0]) + 1 :]
             self.each = True
-        elif parts := self._all_parts():
+        elif parts := self._all_parts() or self.clause.last_joined():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
 

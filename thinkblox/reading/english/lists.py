@@ -146,7 +146,7 @@ class Memberships(Ties):
         """Bind a member to the head of its list."""
         head = node.things[-1]
         anchors = tuple(node.things)
-        if any(a.noun != head.noun for a in anchors):
+        if any(a.noun != head.noun for a in anchors) and not frame.each:
             anchors = (head,)
         if head in self.places and self._is_laid(thing, Meaning("at", anchors, each=True), anchors):
             return

@@ -37,6 +37,11 @@ class Listed:
     joined: int = -1
     begun: int = 0
 
+    def last_joined(self) -> list[Mention]:
+        """The single things that "and" joined last: "a bench and a sofa"; empty where one of them is several."""
+        last = self.members[self.begun : self.joined + 1] if self.joined == len(self.members) - 1 else []
+        return last if len(last) > 1 and not any(thing.many for thing in last) else []
+
 
 @dataclass(eq=False)
 class Node:

@@ -8,6 +8,8 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
 
+_PAIR = 2
+
 
 class Pronouns(Numbers):
     """Reads pronouns."""
@@ -22,10 +24,14 @@ class Pronouns(Numbers):
             case "it":
                 found = self.referents.single(None, "", self._spoken_of())
                 self._resume([found] if found is not None else [], noun)
+            case "them" if noun.text.lower().startswith("both"):
+                joined = self.clause.last_joined() or self.referents.joined
+                two = joined if len(joined) == _PAIR else self.referents.both(())
+                self._resume([*(two or self.referents.several([], ""))], noun)
+                if self.frontier:
+                    self.frontier[0].each = self.each = True
             case "them":
                 self._resume(list(self.referents.several([], "")), noun)
-                if noun.text.lower().startswith("both") and self.frontier:
-                    self.frontier[0].each = self.each = True
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
                 self.each = True

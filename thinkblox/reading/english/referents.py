@@ -36,6 +36,7 @@ class Referents:
         spoken: everything that was spoken of, the latest last.
         topics: what clauses were about, the latest last.
         pairs: things that were just related or joined.
+        joined: the single things that "and" joined last in the clause before.
         two: the former and the latter, once they were spoken of as that.
         parted: what is left of several of which some were set apart.
         left: the same once the sentence has ended, until more is told of it.
@@ -51,6 +52,7 @@ class Referents:
         self.pairs: list[tuple[Mention, Mention]] = []
         self.parted: Mention | None = None
         self.left: Mention | None = None
+        self.joined: list[Mention] = []
         self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
         self.shared: set[Mention] = set()
@@ -229,6 +231,9 @@ class Referents:
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:
         """What "both" means: two of a kind, or nothing where two others were joined since."""
         for thing in self._recent():
+            alike = [t for t in self.draft.things if t.noun == thing.noun and t.asked]
+            if len(alike) == 2 and not any(t.many or t in subject or is_small(t) for t in alike):
+                return tuple(alike)
             family = [t for t in self.family(thing) if t not in subject]
             pair = any(thing in p and not any(is_small(t) for t in p) for p in self.pairs)
             if pair and len(family) < 2:

@@ -85,6 +85,7 @@ class State(Namer):
         self.whole: Mention | None = None
         self._began = 0
         self.fresh: set[Mention] = set()
+        self.clause = Listed()
         self.said = ""
         self.verb = ""
         self.bracket: tuple[list[Node], Listed, Node | None, bool] | None = None
@@ -121,6 +122,8 @@ class State(Namer):
         for front in (*self.front, *self.held):
             if not front.used and front.is_known:
                 self._lose_where(front.where)
+        if self.clause.members:
+            self.referents.joined = self.clause.last_joined()
         self.frontier: list[Node] = []
         self.front = []
         self.clause = Listed()

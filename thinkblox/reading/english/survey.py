@@ -24,7 +24,7 @@ class Occurrence:
         owners: what has it, the likeliest first.
         listed: it goes on with a list of what these have.
         joined: what it is joined to by "and"; `paired` where the two do not just end a list of which nothing is told.
-        of: what was said to stand to it.
+        of: what was said to stand to it, and `link` how.
     """
 
     noun: Noun
@@ -36,6 +36,7 @@ class Occurrence:
     joined: Noun | None = None
     paired: bool = False
     of: Noun | None = None
+    link: str = ""
 
 
 @dataclass
@@ -50,6 +51,7 @@ class Survey:
         loose: the first tokens of things that nothing but the room has.
         spread: those of several of which something is said of each.
         having: where the last word of having stood.
+        verb: the part of the sentence has a verb.
     """
 
     named: list[Occurrence] = field(default_factory=list)
@@ -61,6 +63,7 @@ class Survey:
     loose: set[int] = field(default_factory=set)
     spread: set[int] = field(default_factory=set)
     having: int = -1
+    verb: bool = False
 
 
 def survey(chunks: Iterable[Chunk], known: Container[int]) -> Survey:
@@ -87,6 +90,7 @@ class _Surveyor:
         self._told = self._closing = self._parted = self._anchored = self._apart = False
         self._parts = False
         self._parting: set[int] = set()
+        self._link_to = ""
         self._before: Chunk | None = None
         self._beside: Chunk | None = None
 
@@ -99,6 +103,7 @@ class _Surveyor:
         self._beside, self._before = self._before, chunk
 
     def _link(self, link: Connector) -> None:
+        self.seen.verb |= link.sort == "verbs"
         if link.sort in ("mark", "joins") and isinstance(self._before, Noun) and self._before.value == "each":
             self._each = None
         if is_link(link, "mark", "stop"):
@@ -114,6 +119,7 @@ class _Surveyor:
             self._parts = is_link(link, "inverses", *_PARTING)
         elif is_spatial(link) or is_link(link, "prepositions", "to"):
             self._role, self._told, self._here = "anchor", True, True
+            self._link_to = link.value
             self._between = is_link(link, "prepositions", "between")
             self._head = self._last if self._apart else self._head
             self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
@@ -125,12 +131,12 @@ class _Surveyor:
         self.seen.sentence, self.seen.part = self.seen.sentence + 1, 0
         self._head = self._last = None
         self._owners, self._role = [], "head"
-        self._here = self._after_told = False
+        self._here = self._after_told = self.seen.verb = False
 
     def _end_part(self, link: Connector) -> None:
         clause = is_link(link, "mark", "semicolon")
         self._after_told = self._here if is_link(link, "mark") else self._after_told
-        self._here = False
+        self._here = self.seen.verb = False
         self.seen.part += 2 if clause else not is_link(self._before, "mark", "comma")
         self._role = "head"
         if clause:
@@ -188,7 +194,10 @@ class _Surveyor:
         paired = pair and (bool(owners) or self._after_told)
         of = (self._head or self._last) if self._role == "anchor" else None
         seen = self.seen
-        seen.named.append(Occurrence(noun, seen.sentence, seen.part, self._role, owners, listed, joined, paired, of))
+        link = self._link_to if self._role == "anchor" else ""
+        seen.named.append(
+            Occurrence(noun, seen.sentence, seen.part, self._role, owners, listed, joined, paired, of, link)
+        )
         if self._role == "head":
             self._head = self._head if listed else noun
             seen.topics.setdefault(seen.sentence, noun)
