@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
+from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.elisions import with_nouns
@@ -35,6 +36,8 @@ _NEAR, _BESIDE = 1.0, 0.5
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
+_ARE = ("theyre", "youre")
+"""The same with "are"."""
 
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
@@ -47,21 +50,22 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, with_nouns(chunks)).read()
+    draft = Clauses(tokens, with_answers(with_nouns(chunks))).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
-    """Words that people shorten, as the lexicon has them; "it's" as two."""
+    """Words that people shorten, as the lexicon has them; "it's" and "they're" as two."""
     whole: list[Token] = []
     for token in _slashed(tokens):
-        if token.text in _JOINED and token.owner:
-            head = len(token.text) - 1
+        verb = "is" if token.text in _JOINED and token.owner else "are" if token.text in _ARE else ""
+        if verb:
+            head = len(token.text) - (1 if verb == "is" else 2)
             first, rest = token.shown[:head], token.shown[head:]
             whole.append(Token(token.text[:head], first, "word", start=token.start))
-            whole.append(Token("is", rest, "word", start=token.start + head))
+            whole.append(Token(verb, rest, "word", start=token.start + head))
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole

@@ -58,7 +58,7 @@ class Prepositions(Negation):
 
     def _for_each(self, link: Connector) -> Connector | None:
         """The preposition as it is meant; None where "a locker for each person" was read with it."""
-        if self._gives_one_for_every(link):
+        if self._gives_one_for_every(link) or self._leads_with_every(link):
             return None
         noun = self.peek()
         if link.value == "per" and isinstance(noun, Noun) and noun.kind == "thing" and not (noun.det or noun.many):
@@ -117,6 +117,23 @@ class Prepositions(Negation):
             tables = self._tables_of([whole]) if is_small(thing) else []
             near = Bond("near", thing, (whole,), implied=True)
             bind(self.draft, Bond("on", thing, tuple(tables)) if tables else near)
+        return True
+
+    def _leads_with_every(self, link: Connector) -> bool:
+        """Go back to read "for every two stools a bottle" as "a bottle for every two stools"."""
+        every, at = self._next_noun(), self.at + 1
+        begins = bool(self.separator) or not self.frontier
+        if link.value not in ("for", "per") or every is None or not (every.every and every.counted) or not begins:
+            return False
+        while at < len(self.chunks) and (
+            self._is_link(self.chunks[at], "mark", "comma") or self._is_link(self.chunks[at], "verbs", "be", "stand")
+        ):
+            at += 1
+        thing = self.chunks[at] if at < len(self.chunks) else None
+        if not isinstance(thing, Noun) or thing.kind != "thing" or thing.definite:
+            return False
+        self.at -= 1
+        self.chunks[self.at : at + 1] = [thing, link, every]
         return True
 
     def _listed_with(self, thing: Mention) -> list[Mention]:
