@@ -169,7 +169,9 @@ class Memberships(Ties):
             top = (
                 not wall and isinstance(front.anchors[0], Mention) and self._belongs(front.anchors[0].noun, "surfaces")
             )
-            if listed and off and top and self.habits.is_in(thing.noun, "tables", "desks", "beds", "lounges"):
+            apart = self.habits.is_in(thing.noun, "tables", "desks", "beds", "lounges")
+            apart |= self.habits.is_in(thing.noun, "seats", "chairs") and self._is_told_next()
+            if listed and off and top and apart:
                 self.front.remove(front)
                 continue
             if listed and (off and not wall) and not self.clause.closing:

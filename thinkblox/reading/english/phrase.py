@@ -37,6 +37,8 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value == "each" and self._ends_with_them(start, start + pronoun.length):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
+        if after_preposition and self._is_each_of_those(start):
+            return self._finished(Noun("pronoun", "each", start, start + 1, "each"))
         if pronoun is not None and pronoun.value == "each" and self._counts_after(start, pronoun.length):
             return self._finished(Noun("pronoun", "each", start, start + pronoun.length, "each"))
         if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
@@ -69,6 +71,12 @@ class PhraseReader(Heads):
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
         ends = self._text(start, end).lower().endswith((" them", " which"))
         return ends and grammar().at(self.tokens, end, "determiners", "count", "vague") is not None
+
+    def _is_each_of_those(self, start: int) -> bool:
+        """Whether "each" ends, and a number of something new comes: "under each | one sports bag"."""
+        apart = start > 0 and self.tokens[start - 1].text in ("between", "for", "per", "of", "to")
+        number = self._number(start + 1) if self.tokens[start].text == "each" and not apart else None
+        return number is not None and self._starts_noun(start + 1 + number[1])
 
     def _counts_after(self, start: int, length: int) -> bool:
         """Whether a number of something new follows: "on each of these | one plate and two glasses"."""

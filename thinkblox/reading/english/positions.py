@@ -529,6 +529,8 @@ class Positions(Subjects):
         carrier = meaning.anchors[0]
         if not isinstance(carrier, Mention) or (is_small(carrier) and carrier.noun in self.habits.known()):
             return
+        if self.habits.is_in(carrier.noun, "covers"):
+            return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
                 self.draft.hand_over(bond, carrier)

@@ -110,6 +110,7 @@ class Prepositions(Negation):
             self._lose(link.start, noun.end)
             return True
         self._spend(noun)
+        self.numbers.add(every)
         for one in (thing, *(self._listed_with(thing) if placed else ())):
             one.count, one.per = (one.count or 1) * (count // every), []
         self.draft.bonds = [b for b in self.draft.bonds if b.subject is not thing or whole not in b.anchors]
@@ -123,7 +124,9 @@ class Prepositions(Negation):
         """Go back to read "for every two stools a bottle" as "a bottle for every two stools"."""
         every, at = self._next_noun(), self.at + 1
         begins = bool(self.separator) or not self.frontier
-        if link.value not in ("for", "per") or every is None or not (every.every and every.counted) or not begins:
+        if link.value not in ("for", "per") or every is None or every.kind != "thing" or not begins:
+            return False
+        if not (every.every and every.counted) and not (link.text.lower().endswith("every") and every.many):
             return False
         while at < len(self.chunks) and (
             self._is_link(self.chunks[at], "mark", "comma") or self._is_link(self.chunks[at], "verbs", "be", "stand")

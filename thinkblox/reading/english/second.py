@@ -159,8 +159,10 @@ class SecondOpinion:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
         if place.to is not None and place.to.kind == "place" and place.whole is None and place.to.det != "my":
             on_wall = all(load_habits().is_in(thing.noun, "wallpieces") for thing in subjects)
+            carriers = [t for b in self._bonds(subjects) if b.kind == "on" and not b.negated for t in parts_of(b)]
             return on_wall or any(
-                (b.anchors and isinstance(b.anchors[0], str)) or b.kind == "in_centre" for b in self._bonds(subjects)
+                (b.anchors and isinstance(b.anchors[0], str)) or b.kind == "in_centre"
+                for b in self._bonds([*subjects, *carriers])
             )
         if place.whole is not None or (place.to is not None and place.to.kind not in ("pronoun", "part")):
             return True
