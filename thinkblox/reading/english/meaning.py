@@ -213,6 +213,9 @@ class Meanings:
         if anchors and not two and (said.value == "them" or (said.value == "each" and len(plural) > 1)):
             name = subjects[-1].noun if subjects else noun
             anchors = self.antecedents.choose_several(self._words, kind, subjects, name, anchors)
+        if said.value == "each" and kind == "next_to" and not (subjects and is_small(subjects[-1])):
+            large = [t for t in self.referents.plural() if not is_small(t) and t not in subjects]
+            anchors = tuple(large[:1]) if large and all(map(is_small, anchors)) else anchors
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         whole = said.value == "each" and not said.attributes and len(anchors) == 1

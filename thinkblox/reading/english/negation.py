@@ -174,6 +174,13 @@ class Negation(Positions):
         placed = self._is_link(after, "prepositions") and not self._is_link(after, "prepositions", *_NOT_PLACED)
         return there and (placed or self._is_link(after, "participles", "stand", "hang"))
 
+    def _is_cancelled(self, noun: Noun) -> bool:
+        """Whether what was named is taken back: "forget the drape"."""
+        at = self.chunks.index(noun)
+        said = self.chunks[at - 1] if at else None
+        cancels = isinstance(said, Connector) and said.text.lower() in grammar().lists["cancelling"]
+        return cancels and noun.det in ("the", "my") and not self._is_link(self.peek(), "prepositions")
+
     def _exclude(self, noun: Noun) -> None:
         after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None
         if after is not None and after.kind in ("number", "pronoun"):
@@ -182,6 +189,11 @@ class Negation(Positions):
             self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
             return
         self._spend(noun)
+        known = self.referents.named(noun) if self._is_cancelled(noun) else None
+        if known is not None:
+            for thing in self.referents.clan(known):
+                self.draft.drop(thing)
+            self.draft.excluded.add(known.noun)
         self.draft.excluded.add(noun.value)
         self.excluded_by[noun.value] = noun
         self.account.mark(noun.start, noun.end, "constraint")

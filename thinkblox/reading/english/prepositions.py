@@ -392,7 +392,7 @@ class Prepositions(Negation):
             self._spend(noun)
             self._go_past(noun)
         elif noun.kind == "thing" and thing is not None and self._is_contents(noun):
-            self._open("hold")
+            self._open("with" if noun.det == "the" else "hold")
         elif noun.kind == "thing" and not self.referents.named(noun) and (noun.named or noun.det == "the"):
             found = self._new(noun)
             self.frontier = [Node([found], self.clause)]
@@ -443,8 +443,8 @@ class Prepositions(Negation):
     def _is_contents(self, noun: Noun) -> bool:
         """Whether it is what something is for and holds: "a mug for pens"."""
         several = noun.count or noun.plural or (not noun.det and noun.text.lower().endswith("s"))
-        own = noun.det == "my" and self.referents.named(noun) is None
-        return (own or not noun.definite) and bool(several)
+        own = noun.det == "my" or (noun.det == "the" and noun.plural and self._belongs(noun.value, "small"))
+        return (not noun.definite or (own and self.referents.named(noun) is None)) and bool(several)
 
     def _as(self) -> None:
         noun = self._next_noun()

@@ -391,7 +391,8 @@ def _is_another_kind(noun: Noun, thing: Mention) -> bool:
 def _is_own_name(text: str, value: str) -> bool:
     """Whether words are the name of one category, as "a coffee table" is and "a table" is not."""
     words = value.split("_")
-    return len(words) == 2 and value in load_habits().known() and words == text.lower().split()[-2:]
+    said = text.lower().split()[-2:]
+    return len(said) == len(words) == 2 and words == [said[0], singular(said[1])]
 
 
 def is_small(thing: Mention) -> bool:

@@ -1,0 +1,47 @@
+"""Rooms that are called after what is in them: "a four-bed ward", "a six-desk office"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from thinkblox.assets.plurals import singular
+from thinkblox.knowledge.vocabulary import name_of
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.said import is_link
+
+_MOST = 60
+"""More than so many is no number of pieces of furniture."""
+
+
+def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which such a room has what its name counts: "a ward with four beds"."""
+    found: list[Chunk] = []
+    owed: Noun | None = None
+    for at, chunk in enumerate(chunks):
+        found.append(chunk)
+        if owed is not None:
+            found += [owed, Connector("joins", "and", chunk.start, chunk.start)]
+            owed = None
+        elif isinstance(chunk, Noun) and (thing := next(_counted(chunk), None)) is not None:
+            chunk.unshown.remove(f"{thing.text.split()[0]}-{thing.text.split()[1]}")
+            if at + 1 < len(chunks) and is_link(chunks[at + 1], "prepositions", "with"):
+                owed = thing
+            else:
+                found += [Connector("prepositions", "with", chunk.start, chunk.start), thing]
+    return found
+
+
+def _counted(room: Noun) -> Iterator[Noun]:
+    """The four beds of a "four-bed ward"."""
+    for said in room.unshown if room.kind in ("room", "abstract", "place") else ():
+        number, _, what = said.partition("-")
+        count = int(number) if number.isdecimal() else _number(number)
+        name = name_of([what]) if what else None
+        if name is not None and 0 < count <= _MOST:
+            noun = replace(room, kind="thing", value=name.category, text=f"{number} {what}", called=singular(what))
+            yield replace(noun, det="", count=count, plural=count > 1, unshown=[], attributes=[], styles=[], size=None)
+
+
+def _number(word: str) -> int:
+    said = (value for sort, value in grammar().phrases.get((word,), ()) if sort == "count")
+    return int(next(said, 0))
