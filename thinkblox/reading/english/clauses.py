@@ -238,6 +238,9 @@ class Clauses(Audit):
         if several is None or not coloured or noun.det or noun.count is None:
             return
         other = self._next_noun(1)
+        parted = self.referents.parted is not None and self._is_link(self._before(), "joins", "and")
+        if parted and noun.count == self.referents.total(self.referents.parted or several):
+            noun.kind, noun.value, noun.attributes = "number", "", [noun.material]
         if other is not None and other.kind in ("number", "pronoun") and noun.count < self.referents.total(several):
             noun.kind, noun.value, noun.attributes = "number", "", [noun.material]
 
@@ -289,12 +292,23 @@ class Clauses(Audit):
         if self._is_capacity(noun) or done:
             return True
         label = not noun.named or noun.word in grammar().lists["labels"]
-        if not noun.det and label and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
+        after = self.peek()
+        ends = 1 if isinstance(after, Noun) and after.kind == "abstract" else 0
+        if not noun.det and label and noun.count is None and self._is_link(self.peek(ends), "mark", "colon"):
+            return True
+        if self._is_what_somebody_does(noun):
             return True
         if not (self._is_mood(noun) or self._is_of_room(noun)):
             return False
         (self.draft.style if not noun.named else self.draft.unknown).append(noun.text.lower())
         return True
+
+    def _is_what_somebody_does(self, noun: Noun) -> bool:
+        """Whether it is what the writer does rather than what is there: "I teach art"."""
+        who = self._before(2)
+        doing = self._is_link(self._before(), "verbs", "other") and isinstance(who, Connector)
+        speaks = doing and isinstance(who, Connector) and who.text.lower() in ("i", "we")
+        return speaks and not noun.det and noun.count is None
 
     def _is_of_room(self, noun: Noun) -> bool:
         """Whether words that nobody knows only say what kind of room comes: "an instagram ready kitchen"."""

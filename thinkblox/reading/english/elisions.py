@@ -21,7 +21,31 @@ def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
         joined = isinstance(link, Connector) and (link.value == "comma" or (link.sort, link.value) == ("joins", "and"))
         if joined and not _is_told_apart(whole[:at], other):
             whole[at] = _borrowed(said, other)
-    return whole
+    return [_other_side(whole, at) or chunk for at, chunk in enumerate(whole)]
+
+
+def _other_side(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """The side that "two on one side, one on the other" leaves out the second time."""
+    other, link = chunks[at], chunks[at - 1] if at else None
+    if not isinstance(other, Noun) or other.kind != "pronoun" or other.text.lower() != "the other":
+        return None
+    for before, said in zip(reversed(chunks[: at - 2]), reversed(chunks[1 : at - 1]), strict=True):
+        if isinstance(said, Connector) and said.value == "stop":
+            return None
+        if isinstance(said, Noun) and said.kind == "part" and _is_link_like(before, link):
+            one = said.text.lower().startswith("one ")
+            return (
+                replace(said, start=other.start, end=other.end, text=other.text, det="other", count=1, plural=False)
+                if one
+                else None
+            )
+    return None
+
+
+def _is_link_like(before: Chunk, link: Chunk | None) -> bool:
+    """Whether both are the same preposition."""
+    said = isinstance(before, Connector) and isinstance(link, Connector)
+    return said and before.sort == link.sort == "prepositions" and before.value == link.value
 
 
 def _lacks_noun(said: Noun) -> bool:

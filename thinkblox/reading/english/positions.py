@@ -213,7 +213,9 @@ class Positions(Subjects):
             self._place_node(Node(anchors, self.clause, known=True), where)
             self.frontier = []
             return
-        fronted = self._is_fronted()
+        goes_on = where.word == "facing" and self.separator == "and" and bool(self.frontier)
+        goes_on &= not isinstance(self.peek(), Noun)
+        fronted = not goes_on and self._is_fronted()
         node = None if fronted else self._subject_of(where)
         if node is not None:
             self._place_node(node, where)

@@ -194,6 +194,8 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
             found.second = _noun(said, found.end + 2)
             found.end += 2 if found.second is not None else 0
     before = at - 1
+    if link.value == "facing" and _link(said, before, "joins", "and") and _noun(said, found.end + 1) is None:
+        before -= 1
     while _link(said, before, "verbs", *_DOING) or _link(said, before, "participles", "stand", "hang"):
         verb = said[before]
         if isinstance(verb, Connector) and verb.sort == "verbs":

@@ -526,7 +526,15 @@ class Subjects(Having):
         if other in self.referents.shared or any(other in b.anchors for b in self.draft.bonds):
             return None
         anchors = self.referents.named(noun)
+        if where.word in _STANDING and self._is_one_list(frame):
+            return Node(frame.members[frame.begun :], frame)
         return None if anchors is other else Node([other, *node.things], frame)
+
+    def _is_one_list(self, frame: Listed) -> bool:
+        """Whether furniture of which nothing was told begins the statement: "a fridge, a sink and a stove along ..."."""
+        listed = frame.members[frame.begun :]
+        free = all(not is_small(m) and all(b.implied for b in self.draft.bonds_of(m)) for m in listed)
+        return free and len(listed) > _PAIR and self._begins_with(listed[0])
 
     def _begins_with(self, thing: Mention) -> bool:
         """Whether a statement begins with a thing: "A mop and a broom in the corner."."""
