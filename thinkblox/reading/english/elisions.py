@@ -29,23 +29,21 @@ def _other_side(chunks: Sequence[Chunk], at: int) -> Noun | None:
     other, link = chunks[at], chunks[at - 1] if at else None
     if not isinstance(other, Noun) or other.kind != "pronoun" or other.text.lower() != "the other":
         return None
-    for before, said in zip(reversed(chunks[: at - 2]), reversed(chunks[1 : at - 1]), strict=True):
+    for before in range(at - 2, 0, -1):
+        said, led = chunks[before], chunks[before - 1]
         if isinstance(said, Connector) and said.value == "stop":
             return None
-        if isinstance(said, Noun) and said.kind == "part" and _is_link_like(before, link):
-            one = said.text.lower().startswith("one ")
-            return (
-                replace(said, start=other.start, end=other.end, text=other.text, det="other", count=1, plural=False)
-                if one
-                else None
-            )
+        if isinstance(said, Noun) and said.kind == "part" and _are_one_link(led, link):
+            side = replace(said, start=other.start, end=other.end, text=other.text, det="other", count=1, plural=False)
+            return side if said.text.lower().startswith("one ") else None
     return None
 
 
-def _is_link_like(before: Chunk, link: Chunk | None) -> bool:
+def _are_one_link(one: Chunk, other: Chunk | None) -> bool:
     """Whether both are the same preposition."""
-    said = isinstance(before, Connector) and isinstance(link, Connector)
-    return said and before.sort == link.sort == "prepositions" and before.value == link.value
+    if not isinstance(one, Connector) or not isinstance(other, Connector):
+        return False
+    return one.sort == other.sort == "prepositions" and one.value == other.value
 
 
 def _lacks_noun(said: Noun) -> bool:

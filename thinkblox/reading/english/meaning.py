@@ -227,7 +227,9 @@ class Meanings:
 
     def _was_parted_last(self, anchors: tuple[Mention, ...]) -> bool:
         """Whether some of several were told apart just now, and nothing of the others since."""
-        family = self.referents.family(anchors[0]) if anchors else []
+        if not anchors:
+            return False
+        family = self.referents.family(anchors[0])
         last = next((t for t in reversed(self.referents.spoken) if t in family), None)
         return last is anchors[0] and self.referents.is_apart(last) and self.referents.parted in (*family, None)
 

@@ -37,10 +37,11 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value == "each" and self._ends_with_them(start, start + pronoun.length):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
-        if after_preposition and self._is_each_of_those(start):
-            return self._finished(Noun("pronoun", "each", start, start + 1, "each"))
-        if pronoun is not None and pronoun.value == "each" and self._counts_after(start, pronoun.length):
-            return self._finished(Noun("pronoun", "each", start, start + pronoun.length, "each"))
+        if (after_preposition and self._is_each_of_those(start)) or (
+            pronoun is not None and pronoun.value == "each" and self._counts_after(start, pronoun.length)
+        ):
+            end = start + 1 if pronoun is None or self._is_each_of_those(start) else start + pronoun.length
+            return self._finished(Noun("pronoun", "each", start, end, "each"))
         if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
             after = self._known(start + pronoun.length, "attribute", "style")
             if after is not None and not self._starts_noun(start + pronoun.length + after.length):
@@ -113,6 +114,9 @@ class PhraseReader(Heads):
 
     def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
         """Whether a verb follows a number that stands for things: "two stand by the window", "one stands there"."""
+        doing = grammar().at(self.tokens, at + 1, "verbs")
+        if noun.count is not None and self.tokens[at].text in grammar().lists["modals"] and doing is not None:
+            return True
         counted = noun.count is not None and not noun.of_known
         verb = grammar().at(self.tokens, at, "verbs") if counted and end == at + 1 else None
         if verb is None or verb.length != 1 or self.tokens[at].text.endswith("s") != (noun.count == 1):

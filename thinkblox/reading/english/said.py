@@ -193,9 +193,7 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
         if link.value == "between" and _link(said, found.end + 1, "joins", "and"):
             found.second = _noun(said, found.end + 2)
             found.end += 2 if found.second is not None else 0
-    before = at - 1
-    if link.value == "facing" and _link(said, before, "joins", "and") and _noun(said, found.end + 1) is None:
-        before -= 1
+    before = at - 1 - _goes_on(said, at, found.end)
     while _link(said, before, "verbs", *_DOING) or _link(said, before, "participles", "stand", "hang"):
         verb = said[before]
         if isinstance(verb, Connector) and verb.sort == "verbs":
@@ -214,6 +212,13 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
     return found
+
+
+def _goes_on(said: Sequence[Chunk], at: int, end: int) -> bool:
+    """Whether "and facing it" ends, which is about what was named before."""
+    return (
+        _link(said, at, "prepositions", "facing") and _link(said, at - 1, "joins", "and") and not _noun(said, end + 1)
+    )
 
 
 def _is_told_apart(said: Sequence[Chunk], at: int) -> bool:

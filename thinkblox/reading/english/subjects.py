@@ -531,7 +531,7 @@ class Subjects(Having):
         return None if anchors is other else Node([other, *node.things], frame)
 
     def _is_one_list(self, frame: Listed) -> bool:
-        """Whether furniture of which nothing was told begins the statement: "a fridge, a sink and a stove along ..."."""
+        """Whether furniture of which nothing was told begins the statement: "a fridge, a sink and a stove along"."""
         listed = frame.members[frame.begun :]
         free = all(not is_small(m) and all(b.implied for b in self.draft.bonds_of(m)) for m in listed)
         return free and len(listed) > _PAIR and self._begins_with(listed[0])

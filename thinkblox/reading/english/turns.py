@@ -31,7 +31,7 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     if begins and _is_no(tokens, at):
         return _until(tokens, at + 1, sentence=_is_new_sentence(tokens, at)) + 1
     found = grammar().at(tokens, at, "turns")
-    if found is not None and not _is_placing(tokens, at):
+    if found is not None and not _is_placing(tokens, at) and not _is_filler(tokens, at, found.length):
         after = grammar().at(tokens, at + found.length, "determiners", "count")
         if found.value == "phrase":
             link = grammar().at(tokens, at, "prepositions")
@@ -52,6 +52,12 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     if tokens[at].text in ("out", "of", "in") and (length := _of_every(tokens, at)):
         return length
     return 0
+
+
+def _is_filler(tokens: Sequence[Token], at: int, length: int) -> bool:
+    """Whether more words than these say nothing: "wherever you like"."""
+    filler = grammar().at(tokens, at, "fillers")
+    return filler is not None and filler.length > length
 
 
 def _is_placing(tokens: Sequence[Token], at: int) -> bool:
