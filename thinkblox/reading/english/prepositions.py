@@ -58,7 +58,7 @@ class Prepositions(Negation):
 
     def _for_each(self, link: Connector) -> Connector | None:
         """The preposition as it is meant; None where "a locker for each person" was read with it."""
-        if self._gives_one_for_every(link) or self._leads_with_every(link):
+        if self._leads_with_every(link) or self._gives_one_for_every(link) or self._gives_one_a_row(link):
             return None
         noun = self.peek()
         if link.value == "per" and isinstance(noun, Noun) and noun.kind == "thing" and not (noun.det or noun.many):
@@ -118,6 +118,22 @@ class Prepositions(Negation):
             tables = self._tables_of([whole]) if is_small(thing) else []
             near = Bond("near", thing, (whole,), implied=True)
             bind(self.draft, Bond("on", thing, tuple(tables)) if tables else near)
+        return True
+
+    def _gives_one_a_row(self, link: Connector) -> bool:
+        """Read "one printer per row" as so many as there are rows."""
+        row, node = self._next_noun(), self.frontier[-1] if self.frontier else None
+        thing = node.thing if node is not None and not node.known else None
+        if link.value not in ("for", "per") or row is None or not row.rows or thing is None:
+            return False
+        rows = next((t.rows for t in reversed(self.draft.things) if t.rows > 1 and t is not thing), 0)
+        rows = rows or next((b.rows for b in reversed(self.draft.bonds) if b.rows > 1 and b.subject is not thing), 0)
+        if not rows:
+            return False
+        self._spend(row)
+        self._go_past(row)
+        thing.count = (thing.count or 1) * rows
+        thing.plural = thing.count > 1
         return True
 
     def _leads_with_every(self, link: Connector) -> bool:

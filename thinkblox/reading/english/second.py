@@ -148,7 +148,7 @@ class SecondOpinion:
         if any(load_habits().is_in(thing.noun, "covers") for thing in self._things(place.of[0])):
             return True
         start = place.of[0].start
-        return any(self._first[thing] < start for thing in self._meant.get(start, ()))
+        return any(self._first.get(thing, start) < start for thing in self._meant.get(start, ()))
 
     @cached_property
     def _first(self) -> dict[Mention, int]:
@@ -258,7 +258,7 @@ class SecondOpinion:
         later = [p for p in places if p.link.start > place.last and p.of and p.of[0] is not place.led]
         if any(set(self._things(p.anchor)) & set(anchors) for p in later):
             return False
-        things = [t for p in later for t in self._things(p.of[0]) if self._first[t] >= p.of[0].start]
+        things = [t for p in later for t in self._things(p.of[0]) if self._first.get(t, -1) >= p.of[0].start]
         doubled = (t for t in things if len(self._draft.bonds_of(t)) > 1)
         return any(not b.implied and set(b.anchors) & set(anchors) for t in doubled for b in self._draft.bonds_of(t))
 
