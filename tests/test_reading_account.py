@@ -1,7 +1,7 @@
 """Every word of a prompt has a fate, and what names or changes a thing is made of something or said not to be."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from thinkblox.errors import InputError
@@ -37,6 +37,8 @@ def test_the_account_covers_every_word_once_and_in_order(text: str) -> None:
 
 @settings(deadline=None, max_examples=150)
 @given(st.text(max_size=80))
+@example("W/")
+@example("a room w/o rug w/ a bed")
 def test_the_account_covers_every_word_of_any_text(text: str) -> None:
     _covered(text)
 

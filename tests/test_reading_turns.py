@@ -120,6 +120,8 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
          "1 dining_table near window"),
         ("Three manicure tables, on every table a lamp and five nail polishes, a chair on both sides of each.",
          "6 chair next_to manicure_table"),
+        ("A couch has two pillows; the coffee table two magazines and a candle.", "2 magazine on coffee_table"),
+        ("On either side of the fireplace is a bookcase, and above it a painting.", "1 picture above fireplace"),
         ("Distractors on the counter: two apples and a banana.", "2 apple on counter"),
         ("Two tables. One has four chairs around it. On the other are three vases.", "3 vase on dining_table-2"),
         ("Two desks. One has two monitors on it. The other has a lamp.", "1 desk_lamp on desk-2"),

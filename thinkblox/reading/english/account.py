@@ -1,5 +1,6 @@
 """What became of every word of a text: asked for, related, a constraint, style, filler, or not understood."""
 
+import re
 from collections.abc import Sequence
 
 from thinkblox.brief import Fate, Word
@@ -16,6 +17,8 @@ _LINKS: dict[str, Fate] = {
     "corrections": "constraint",
 }
 """What becomes of words between noun phrases, by section of the grammar; the others are filler."""
+_PARTS = re.compile(r"[^/]+")
+"""What is one word, where "w/o" is two."""
 _IDLE = ("be", "other", "put", "serve")
 """Verbs that say nothing themselves."""
 _BARRING = ("without", "except", "instead")
@@ -72,7 +75,8 @@ class Account:
     def words(self) -> tuple[Word, ...]:
         """Every word and number in order, each once."""
         pairs = zip(self._tokens, self._fates, strict=True)
-        return tuple(Word(text=t.shown, start=t.start, fate=fate) for t, fate in pairs if t.kind != "mark")
+        told = [(t, part, fate) for t, fate in pairs if t.kind != "mark" for part in _PARTS.finditer(t.shown)]
+        return tuple(Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
 
 
 def _usual(chunk: Chunk) -> Fate:

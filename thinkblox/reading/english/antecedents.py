@@ -128,7 +128,7 @@ class Antecedents:
         scores: dict[int, Antecedent] = {}
         for named in seen.named:
             for thing in self._meant.get(named.noun.start, ()):
-                if id(thing) in besides or id(thing) not in kept:
+                if id(thing) in besides or id(thing) not in kept or (one and thing in self._referents.flanking):
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
                 several = not self._is_one(thing, named, last, seen)

@@ -190,7 +190,8 @@ class Clauses(Audit):
 
     def _is_turned_part(self, noun: Noun) -> bool:
         """Whether it tells how the thing before it stands: "a bed, its headboard against the wall"."""
-        if noun.det != "my" or not self.frontier or not self._is_link(self.peek(), "prepositions", *_TURNING):
+        own = noun.det == "my" or (noun.det == "the" and noun.text.lower().endswith("headboard"))
+        if not own or not self.frontier or not self._is_link(self.peek(), "prepositions", *_TURNING):
             return False
         self._turn_by_part(noun)
         return True
@@ -222,14 +223,30 @@ class Clauses(Audit):
         if self._is_definition(noun):
             self._define(noun)
             return
-        known = self._known(noun)
-        if known:
+        self._take_thing(noun)
+
+    def _take_thing(self, noun: Noun) -> None:
+        """Take what was named before, or something new; it has what follows where a verb is left out."""
+        elided = self._verb_left_out(noun)
+        if elided:
+            self._begin()
+        if known := self._known(noun):
             self._take_known(noun, known)
+        else:
+            self._take_new(noun)
+        if elided:
+            self._again(elided)
+        if known:
             last = self._before()
             put = isinstance(last, Connector) and last.sort == "negations" and last.text.lower().endswith(" put")
             self.negating = noun.det == "none" or (self.negating and put)
-            return
-        self._take_new(noun)
+
+    def _verb_left_out(self, noun: Noun) -> str:
+        """The verb of "the sofa has two cushions, the table three books" that is left out the second time."""
+        listed = self.peek()
+        new = isinstance(listed, Noun) and listed.kind == "thing" and (listed.det == "a" or listed.count is not None)
+        said = self.said or self.verb
+        return said if noun.det == "the" and new and self.separator in ("", "comma") and not self.front else ""
 
     def _as_shade(self, noun: Noun) -> None:
         """Take a colour that is a fruit too for one where it parts several: "three chairs, one orange and two grey"."""
