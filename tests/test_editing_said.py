@@ -7,11 +7,13 @@ import pytest
 from tests.edited_rooms import bedroom, built, dining, living, room
 from tests.test_editing_guard import classroom, done
 from thinkblox import Scene, edit_room
+from thinkblox.assets.source import ProceduralAssets
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
+from thinkblox.scene.support import placed_at
 
 
 def gap(scene: Scene, one: str, other: str) -> float:
@@ -474,3 +476,68 @@ def test_two_lengths_are_the_size_of_what_is_new() -> None:
 def test_towards_the_one_on_the_right() -> None:
     (order,) = read_instruction("Turn the TV towards the armchair on the right").orders
     assert [noun.side for noun in order.facing] == ["right"]
+
+
+def with_lamps() -> Scene:
+    """The classroom with a table lamp on each school desk."""
+    rooms = classroom()
+    desks = [p for p in rooms.placements if p.category == "school_desk"]
+    asset = ProceduralAssets().make("desk_lamp", seed=3)
+    for desk in desks:
+        top = max(s.position[2] for s in rooms.asset_of(desk).surfaces)
+        id = desk.id.replace("school_desk", "desk_lamp")
+        spot = (desk.position[0], desk.position[1], top)
+        lamp = placed_at(rooms, asset, id=id, position=spot, yaw=180.0)
+        rooms = rooms.with_placement(lamp, asset)
+    return rooms
+
+
+def test_what_rests_on_things_is_in_their_row() -> None:
+    before = with_lamps()
+    for rest in ("", " but keep them in the back row"):
+        said = f"Remove the desk lamps from the front row{rest}"
+        gone = {c.id for c in done(before, said).changes}
+        assert gone == {"desk_lamp_1", "desk_lamp_2", "desk_lamp_3"}, said
+
+
+def test_those_of_what_was_named_are_told_by_row_or_place() -> None:
+    before = classroom()
+    said = "Move all school desks 10 cm to the west, except those in the front row"
+    assert {id for id in row(2) if id.startswith("school")} <= {c.id for c in done(before, said).changes}
+    assert "school_desk_1" not in {c.id for c in done(before, said).changes}
+    rooms = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"),
+                  ("bookcase_2", 5.7, 4.0, 180.0, "floor"), ("stool_1", 5.0, 1.4, 0.0, "floor"))  # fmt: skip
+    white = done(rooms, "Make the bookcases white, but leave the one closest to the stool as it is")
+    assert [c.id for c in white.changes] == ["bookcase_2"]
+
+
+def test_the_other_one_is_another_of_what_was_named_with_the_place() -> None:
+    before = built(room(), ("sideboard_1", 0.4, 2.0, 0.0, "floor"), ("sideboard_2", 5.6, 2.0, 180.0, "floor"),
+                   ("vase_1", 0.4, 2.0, 0.0, "sideboard_1"))  # fmt: skip
+    for said in (
+        "Take the vase off the sideboard and put it on the other one",
+        "Put the vase on the other sideboard",
+    ):
+        assert done(before, said).scene["vase_1"].support == "sideboard_2", said
+    gone = done(before, "Don't remove the sideboard with the vase on it, only the other one").changes
+    assert [c.id for c in gone] == ["sideboard_2"]
+
+
+def test_only_what_is_named_last_goes_where_something_is_not_to_go() -> None:
+    gone = done(living(), "Don't remove the sofa, only the armchair").changes
+    assert [(c.id, c.what) for c in gone] == [("armchair_1", "removed")]
+
+
+def test_chairs_around_it_stay_around_what_the_sentence_before_changes() -> None:
+    after = done(dining(), "Make the dining table black and keep the chairs around it")
+    assert [c.id for c in after.changes] == ["dining_table_1"]
+
+
+def test_a_look_that_is_ruled_out_is_not_taken_for_one_that_is_wanted() -> None:
+    table = done(dining(0), "Make the dining table square, not round, and 1.2 m wide").scene
+    asset = table.asset_of(table["dining_table_1"])
+    assert "square" in asset.attributes
+    assert "round" not in asset.attributes
+    assert asset.size[:2] == pytest.approx((1.2, 1.2), abs=0.01)
+    with pytest.raises(InputError, match="names no size, colour"):
+        edit_room(living(), "Make the sofa not red")

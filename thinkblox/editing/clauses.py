@@ -113,8 +113,19 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             continue
         if start.denied and clause.doing in ("put", "keep", "make", "free"):
             raise InputError(f"'{text}' says what is not to be done; say what is")
-        made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
+        made += _denied(clause) if start.denied else [clause]
     return made
+
+
+def _denied(clause: Clause) -> list[Clause]:
+    """What is not to be done, by which things stay as they are: "don't remove the sofa, only the rug" takes the rug."""
+    tokens = clause.tokens
+    at = next((n for n in range(1, len(tokens) - 1) if tokens[n].text in ("only", "just", "rather")
+               and tokens[n - 1].text in (",", "but")), None)  # fmt: skip
+    if at is None:
+        return [Clause("keep", "", tokens, clause.text)]
+    end = next(n for n in range(at, 0, -1) if tokens[n - 1].text not in (",", "but"))
+    return [Clause("keep", "", tokens[:end], clause.text), replace(clause, tokens=tokens[at + 1 :])]
 
 
 def without_announcements(tokens: Sequence[Token]) -> list[Token]:

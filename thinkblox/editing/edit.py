@@ -12,6 +12,7 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
+from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
@@ -365,7 +366,9 @@ def _is_more(finder: Finder, noun: Noun) -> bool:
 
 def _keep(work: Work, finder: Finder, order: Order) -> None:
     """Everything that is not named stays where it is in any case; what is named is said to."""
-    ids = [id for phrase in order.things for id in _kept(finder, phrase)]
+    before = dataclasses.replace(finder, scene=work.start)
+    ids = [id for phrase in order.things for id in _kept(before, phrase)]
+    finder.recent = finder.recent or ids
     work.done.append(f"{', '.join(ids) or 'all else'} stays as it is")
 
 
@@ -408,7 +411,9 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    orders = in_turn(_joined(read.orders), finder)
+    orders = _joined(read.orders)
+    with_antecedents(orders, finder)
+    orders = in_turn(orders, finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))

@@ -159,6 +159,8 @@ class Finder:
         """Those that were not spoken of."""
         left = [p for p in found if p.id not in self.recent]
         left = left if len(left) < len(found) else [p for p in found if p.id not in self.named]
+        if len(left) in (0, len(found)) and self.about in self.scene:
+            left = [p for p in found if not self._belongs(self.scene[self.about], p.id)]
         if len(left) == len(found) and len(found) > 1 and not (noun.many and self.recent):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(f"'{noun.text}': other than which? It could be {says}")

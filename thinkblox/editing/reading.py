@@ -449,7 +449,7 @@ class _OrderReader:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
         order = self.order
         placed = order.places or order.closer or order.direction or order.facing or any(p.places for p in order.things)
-        return not placed and bool(order.looks or order.change)
+        return not placed and bool(order.looks or order.ruled_out or order.change)
 
     def _adjective(self, said: Adjective) -> None:
         order, free = self.order, bool(means("clear", said.text.lower()))
@@ -470,6 +470,9 @@ class _OrderReader:
             order.things[:] = things
         elif (new := self._new_thing()) is not None and said.attributes and not said.unshown:
             new.attributes += said.attributes
+        elif order.doing in ("make", "put") and self._negated and said.attributes:
+            self._negated = False
+            order.ruled_out += said.attributes
         elif order.doing in ("make", "put") and order.things and said.attributes and not said.unshown:
             order.looks += said.attributes
         else:
@@ -561,6 +564,8 @@ class _OrderReader:
         elif last is not None and last.noun is not None and last.noun.kind == "thing":
             several = last.noun.many or last.noun.each
             last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
+        elif phrase is not None and phrase.noun.kind == "pronoun" and phrase.noun.value == "them":
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
         elif phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
@@ -607,6 +612,9 @@ class _OrderReader:
         order = self.order
         if order.doing == "turn" and order.turn is None:
             order.turn, self._around = 180.0, True
+        elif order.doing == "make" and self._negated:
+            self._negated = False
+            order.ruled_out.append("round")
         elif order.doing == "make":
             order.looks.append("round")
         elif order.doing != "swap":
@@ -1129,7 +1137,7 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
-        if self._is_on_new(where) or self._is_like_those(where):
+        if self._is_on_new(where) or self._is_on_what_bears(where) or self._is_like_those(where):
             return
         order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
@@ -1153,6 +1161,12 @@ class _OrderReader:
         new = order.doing in ("add", "put", "ensure") and along and bool(order.things)
         it = noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them", "each")
         return new and it and where.word in ("on", "on_top") and not order.things[-1].noun.definite
+
+    def _is_on_what_bears(self, where: Where) -> bool:
+        """Whether it is the end of "(keep) the sideboard with the vase on it", which is told by that."""
+        said = self.order.things[-1].places[-1:] if self.order.things else []
+        bears = bool(said) and said[0].word == "with" and said[0].noun is not None and said[0].noun.kind == "thing"
+        return bears and where.word in ("on", "on_top") and where.noun is not None and _is_it(where.noun)
 
     def _is_like_those(self, where: Where) -> bool:
         """Whether a new thing is to be "like the others", as it is anyway."""

@@ -868,6 +868,9 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
                 finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
             ]
             continue
+        if where.word == "with" and where.noun is not None and where.noun.kind == "thing":
+            found = _bearing(finder, phrase, where.noun, found)
+            continue
         if superlative := _by_what(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
             continue
@@ -903,6 +906,18 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
         says = ", ".join(finder.described(p) for p in found)
         raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
     return held
+
+
+def _bearing(finder: Finder, phrase: NounPhrase, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+    """Those on which something rests: "the sideboard with the vase".
+
+    Raises:
+        InputError: nothing of it rests on any of them.
+    """
+    carriers = {id for p in finder.matching(noun) for id in finder.scene.carriers(p.id)}
+    if bearing := [p for p in found if p.id in carriers]:
+        return bearing
+    raise InputError(f"there is no {phrase.noun.word} with {noun.text} on it; there {finder.listed()}")
 
 
 def _on_that_side(scene: Scene, found: Sequence[Placement], walls: Sequence[str]) -> list[Placement]:
