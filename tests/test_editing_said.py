@@ -541,3 +541,15 @@ def test_a_look_that_is_ruled_out_is_not_taken_for_one_that_is_wanted() -> None:
     assert asset.size[:2] == pytest.approx((1.2, 1.2), abs=0.01)
     with pytest.raises(InputError, match="names no size, colour"):
         edit_room(living(), "Make the sofa not red")
+
+
+def test_what_stands_in_a_corner_is_no_neighbour_of_it_and_a_lamp_there_stands_on_the_floor() -> None:
+    before = built(room(), ("plant_1", 5.65, 4.65, 0.0, "floor"), ("bookcase_1", 5.7, 3.6, 180.0, "floor"))
+    after = done(before, "Get rid of whatever is standing in the north-east corner and put a reading lamp there").scene
+    assert sorted(p.id for p in after.placements) == ["bookcase_1", "floor_lamp_1"]
+    assert [c.id for c in done(before, "Remove what stands in the north-east corner").changes] == ["plant_1"]
+
+
+def test_everything_that_is_there() -> None:
+    after = done(living(), "Put everything that's on the coffee table onto the sideboard instead").scene
+    assert after["vase_1"].support == "sideboard_1"

@@ -87,7 +87,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     places, slots = _of_those(finder, places, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
-    category = category_of(work, noun, [bounds[0] for bounds in slots])
+    left = [finder.left_place(order.text)] if order.there else []
+    left += [spot_of(where, "", work.start, finder) for where in spots_said]
+    floor = [Bound("on", (spot.support,)) for spot in left if spot.support == "floor"]
+    category = category_of(work, noun, [*(bounds[0] for bounds in slots), *floor])
     several = next((len(bounds) for bounds in slots if len(bounds) > 1), 1)
     if any(len(bounds) not in (1, several) for bounds in slots):
         raise InputError(f"'{order.text}' names several places of two kinds at once; give two orders")
@@ -105,8 +108,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
-        goals += [At(finder.left_place(order.text), THERE)] if order.there else []
-        goals += [At(spot_of(where, "", work.start, finder).position[:2], THERE) for where in spots_said]
+        goals += [At(spot.position[:2], THERE) for spot in left]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         id = _at_their_table(work, category, noun) if not goals else ""
         id = id or add_one(work, category, noun, goals)

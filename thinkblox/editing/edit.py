@@ -428,7 +428,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         _DOERS[order.doing](work, finder, order)
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
-        finder.vacated = gone[-1].position[:2] if gone else finder.vacated
+        finder.vacated = gone[-1] if gone else finder.vacated
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen

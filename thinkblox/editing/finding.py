@@ -23,7 +23,6 @@ from thinkblox.scene.placement import Placement, apart
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Wall, turn_between
 from thinkblox.scene.scene import Scene
-from thinkblox.value import Vec2
 
 BY_IT = 0.3
 """How far from what was spoken of something stands that belongs to it [m]."""
@@ -46,7 +45,7 @@ class Finder:
         seen: from where "the left one" of several was decided, and which of several were taken, in sentences.
         owners: what an order has named so far, for "their chairs".
         named: everything that an order has named so far, for "the other nightstand".
-        vacated: where the last thing stood that was taken away [m].
+        vacated: the last thing that was taken away, as it stood.
         about: id of what is being moved, from which "the other side" is seen.
     """
 
@@ -56,7 +55,7 @@ class Finder:
     about: str = ""
     owners: list[str] = field(default_factory=list)
     named: list[str] = field(default_factory=list)
-    vacated: Vec2 | None = None
+    vacated: Placement | None = None
 
     def ids(
         self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
@@ -103,8 +102,8 @@ class Finder:
             return self._part(phrase, tuple(p.id for p in self._as_many(_all(noun), found, picks)))
         return tuple(p.id for p in self._as_many(noun, found, picks))
 
-    def left_place(self, text: str) -> Vec2:
-        """Where something was that has been taken away [m].
+    def left_place(self, text: str) -> Placement:
+        """What has been taken away, as it stood.
 
         Raises:
             InputError: nothing has been.

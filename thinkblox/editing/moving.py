@@ -461,7 +461,7 @@ def _goals(
 ) -> list[Goal]:
     goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
     if order.there:
-        goals.append(At(finder.left_place(order.text), THERE))
+        goals.append(At(finder.left_place(order.text).position[:2], THERE))
     goals += [Elsewhere(LEFT)] if order.leaves else []
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):

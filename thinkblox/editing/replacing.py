@@ -73,7 +73,7 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
     for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
         for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
-                there: list[Goal] = [At(finder.vacated, NEW_PLACE)] if finder.vacated is not None else []
+                there: list[Goal] = [At(finder.vacated.position[:2], NEW_PLACE)] if finder.vacated is not None else []
                 add_one(work, category_of(work, noun, ()), noun, there)
             elif noun is not first:
                 finder.scene = work.scene
