@@ -553,3 +553,22 @@ def test_what_stands_in_a_corner_is_no_neighbour_of_it_and_a_lamp_there_stands_o
 def test_everything_that_is_there() -> None:
     after = done(living(), "Put everything that's on the coffee table onto the sideboard instead").scene
     assert after["vase_1"].support == "sideboard_1"
+
+
+def test_more_of_the_chairs_at_a_table_go_to_it_or_nowhere() -> None:
+    for said in ("Add two more matching chairs", "I'd like seating for four at the table: add two more chairs"):
+        after = done(dining(), said).scene
+        assert all(measure(after, "at", f"chair_{n}", ("dining_table_1",)).holds for n in (3, 4)), said
+    rows = [("side_table_1", 0.5, 0.5, 0.0, "floor"), ("dining_table_1", 5.0, 4.0, 90.0, "floor")]
+    crowded = built(room(), *rows, ("chair_1", 5.0, 3.2, 90.0, "floor"), ("bookcase_1", 3.6, 4.0, 0.0, "floor"))
+    edit = edit_room(crowded, "Add nine more matching chairs")
+    new = [c.id for c in edit.changes]
+    assert edit.failed
+    assert all(measure(edit.scene, "at", id, ("dining_table_1",)).holds for id in new)
+
+
+def test_the_place_of_an_announcement_is_where_the_thing_goes() -> None:
+    (order,) = read_instruction("I need more storage in the corner by the window: add a bookcase").orders
+    assert [(w.word, w.noun.value) for w in order.things[0].places if w.noun is not None] == [("in", "corner")]
+    (order,) = read_instruction("I'd like more light in here: add a lamp by the door").orders
+    assert [w.noun.value for w in order.things[0].places if w.noun is not None] == ["door"]

@@ -110,8 +110,9 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [At(spot.position[:2], THERE) for spot in left]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
+        tried = len(work.failed)
         id = _at_their_table(work, category, noun) if not goals else ""
-        id = id or add_one(work, category, noun, goals)
+        id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
             break
         added += [id] if id else []
@@ -122,7 +123,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
-    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be."""
+    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be.
+
+    What is said to be one more of them goes nowhere else; any other may.
+    """
     alike = [p.id for p in work.scene.placements if p.category == category]
     if not alike or not facts_of(category).is_in("seating"):
         return ""
@@ -131,7 +135,7 @@ def _at_their_table(work: Work, category: str, noun: Noun) -> str:
     saved, said = work.saved(), len(work.failed)
     goals = [_related(work, Bound("around", (table,)), category, 0, 1) for table in theirs[:1]]
     id = add_one(work, category, noun, goals) if goals else ""
-    if goals and not id:
+    if goals and not id and noun.det != "another":
         work.restore(saved)
         del work.failed[said:]
     return id

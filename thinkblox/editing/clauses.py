@@ -15,6 +15,10 @@ _POINTERS = frozenset(
 )
 """Words after a verb in the middle of a sentence, by which it is told from a noun."""
 _LINKS = (",", "and", "then", "but", "also", "while", "plus")
+_PLACING = ("at", "around", "by", "next_to", "near", "on", "in", "behind", "in_front_of", "against", "above", "under")
+"""Prepositions by which an announcement says where what it is about is to come."""
+MOST_NAMED = 6
+"""Most words of a place that an announcement ends with."""
 _RELATIVE = ("so", "that", "which", "who")
 _GONE = ("go", "leave", "disappear")
 _WANTS = ("want",)
@@ -131,7 +135,7 @@ def _denied(clause: Clause) -> list[Clause]:
 def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     """The tokens without what only announces the orders behind a colon: "I'd like more light: add two wall lamps".
 
-    Of "clear the table: only the vase should stay" the second part is of what is on the table.
+    A place that it names is that of what is added then: "I want more seats at the table: add two chairs". Of "clear the table: only the vase should stay" the second part is of what is on the table.
     """
     at = next((n for n, token in enumerate(tokens) if token.text == ":"), None)
     if at is None:
@@ -149,7 +153,19 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     if said is not None and start.doing == "keep" and start.before:
         subject = first + len(start.before)
         return [*tokens[:begin], *rest[:subject], _ON, *lead[said.body :], *rest[subject:]]
-    return [*tokens[:begin], *rest]
+    alone = not any(grammar().at(rest, n, "prepositions") for n in range(first, end))
+    where = _place_at_end(lead) if start.doing in ("add", "put") and alone else []
+    return [*tokens[:begin], *rest[:end], *where, *rest[end:]]
+
+
+def _place_at_end(lead: Sequence[Token]) -> list[Token]:
+    """The place that an announcement ends with, which names a thing that is known: "at the table"."""
+    for at in range(1, len(lead) - 2):
+        found = grammar().at(lead, at, "prepositions")
+        named = lead[at + found.length :] if found is not None and found.value in _PLACING else []
+        if named and named[0].text in ("the", "my", "our"):
+            return list(lead[at:]) if len(named) <= MOST_NAMED else []
+    return []
 
 
 def _unwanted(
