@@ -572,3 +572,27 @@ def test_the_place_of_an_announcement_is_where_the_thing_goes() -> None:
     assert [(w.word, w.noun.value) for w in order.things[0].places if w.noun is not None] == [("in", "corner")]
     (order,) = read_instruction("I'd like more light in here: add a lamp by the door").orders
     assert [w.noun.value for w in order.things[0].places if w.noun is not None] == ["door"]
+
+
+def test_one_on_each_side_uses_the_one_that_is_there() -> None:
+    before = built(room(), ("bed_1", 3.0, 3.9, 270.0, "floor"), ("nightstand_1", 4.1, 4.75, 270.0, "floor"),
+                   ("table_lamp_1", 4.1, 4.75, 0.0, "nightstand_1"))  # fmt: skip
+    for lead in ("", "Make the bed black and "):
+        said = f"{lead}put a nightstand on each side of the bed"
+        after = done(before, said).scene
+        assert sorted(p.id for p in after.placements if p.category == "nightstand") == ["nightstand_1", "nightstand_2"]
+        assert after["table_lamp_1"].support == "nightstand_1"
+        sides = [after["bed_1"].to_local(after[f"nightstand_{n}"].position[:2])[1] > 0 for n in (1, 2)]
+        assert sorted(sides) == [False, True], said
+
+
+def test_a_side_of_the_thing_that_is_to_be_at_a_wall_is_not_passed_over() -> None:
+    edit = edit_room(bedroom(), "Turn the bed by 90 degrees so that its long side is against the north wall")
+    assert any("its long side" in word for word in edit.unknown)
+
+
+def test_the_head_of_a_bed_is_at_its_end() -> None:
+    before = built(room(), ("bed_1", 3.0, 3.9, 270.0, "floor"), ("nightstand_1", 4.2, 3.8, 270.0, "floor"))
+    after = done(before, "Put the nightstand at the head of the bed").scene
+    bed = after["bed_1"]
+    assert bed.to_local(after["nightstand_1"].position[:2])[0] < -0.25 * bed.size[0]

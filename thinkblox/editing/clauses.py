@@ -135,7 +135,8 @@ def _denied(clause: Clause) -> list[Clause]:
 def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     """The tokens without what only announces the orders behind a colon: "I'd like more light: add two wall lamps".
 
-    A place that it names is that of what is added then: "I want more seats at the table: add two chairs". Of "clear the table: only the vase should stay" the second part is of what is on the table.
+    A place that it names is that of what is added then: "I want more seats at the table: add two chairs". Of "clear the
+    table: only the vase should stay" the second part is of what is on the table.
     """
     at = next((n for n, token in enumerate(tokens) if token.text == ":"), None)
     if at is None:

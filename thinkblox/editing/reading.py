@@ -1413,6 +1413,9 @@ class _OrderReader:
         if apart and self.order.lengths and where.second is not None:
             self.order.apart.append((self.order.lengths.pop()[0], NounPhrase(where.second, id=where.second.id)))
             return
+        if said is not None and said.kind == "part" and said.value in (*_SIDED, *_IN_ROW, "front"):
+            self.order.lost.append(f"{said.text} {where.text} {where.noun.text if where.noun else ''}".strip())
+            return
         kept_clear = said is None or said.kind in ("room", "abstract") or said.text.lower().startswith(("no", "more"))
         if kept_clear and where.noun is not None:
             self.order.free.append(where.noun)
