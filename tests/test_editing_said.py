@@ -596,3 +596,27 @@ def test_the_head_of_a_bed_is_at_its_end() -> None:
     after = done(before, "Put the nightstand at the head of the bed").scene
     bed = after["bed_1"]
     assert bed.to_local(after["nightstand_1"].position[:2])[0] < -0.25 * bed.size[0]
+
+
+def test_the_others_of_so_many_that_are_enough_go_elsewhere() -> None:
+    for said in ("Two chairs are enough at the table; put the other two along the west wall",
+                 "Keep two chairs at the table and put the others along the west wall"):  # fmt: skip
+        after = done(dining(2), "Add two more chairs at the table").scene
+        moved = done(after, said).scene
+        at = [p.id for p in moved.placements if measure(moved, "at", p.id, ("dining_table_1",)).holds]
+        assert len([id for id in at if id.startswith("chair")]) == 2, said
+        assert len(moved.placements) == len(after.placements)
+
+
+def test_the_benches_of_a_workshop_are_the_workbenches() -> None:
+    before = built(room(), ("workbench_1", 3.0, 4.6, 270.0, "floor"), ("keyboard_1", 3.0, 4.6, 270.0, "workbench_1"))
+    edit = edit_room(before, "Make the bench black")
+    assert "workbench_1" in {c.id for c in edit.changes}
+    assert any("is taken to be workbench_1" in text for text in edit.done)
+    with pytest.raises(InputError, match="no board"):
+        edit_room(before, "Remove the board")
+
+
+def test_what_is_still_to_face_something_is_no_name_of_a_thing() -> None:
+    (order,) = read_instruction("Have the armchair still face the sofa").orders
+    assert [phrase.noun.value for phrase in order.things] == ["armchair"]

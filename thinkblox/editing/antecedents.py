@@ -5,22 +5,26 @@ from dataclasses import replace
 
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.wheres import named
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 
 _STAYING = ("keep", "only")
 """Orders that are looked at before anything is done, when nothing was spoken of yet."""
+_GOING = ("put", "move")
+_IT = ("pronoun", "it")
 _OF_SOME = ("remove", "replace", "make")
 """Orders after which "keep them on the table" says which of them stay as they are."""
 
 
-def with_antecedents(orders: Sequence[Order], finder: Finder) -> None:
-    """Put the thing that was named before in place of a pronoun that says which of several such things is meant.
+def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
+    """The orders with the thing that was named before in place of a pronoun that says which of several is meant.
 
     Raises:
         InputError: nothing was named before that it could stand for.
     """
+    orders = _others_moved(orders, finder)
     head: Noun | None = None
     mentions: list[Noun] = []
     last = ""
@@ -39,6 +43,49 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> None:
             _of_place(where, before, order, mentions, finder)
             mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
         last = order.doing
+    return orders
+
+
+def _others_moved(orders: Sequence[Order], finder: Finder) -> list[Order]:
+    """The orders without "one bin is enough on the shelf" before "put the other three on the floor", which says it too.
+
+    Raises:
+        InputError: there are not so many others.
+    """
+    left: list[Order] = []
+    for order in orders:
+        stays, others = left[-1] if left else None, [p for p in order.things if p.noun.det == "other"]
+        noun = stays.things[0].noun if stays is not None and len(stays.things) == 1 else None
+        counted = noun is not None and noun.kind == "thing" and bool(noun.count) and not noun.definite
+        bare = len(others) == len(order.things) == 1 and others[0].noun.kind in ("number", "pronoun")
+        if stays is None or noun is None or stays.doing not in _STAYING or order.doing not in _GOING:
+            left.append(order)
+            continue
+        if counted and bare:
+            left.pop()
+            _without_kept(others[0], stays.things[0], finder)
+            at = stays.things[0].places[-1].noun if stays.things[0].places else None
+            for where in others[0].places:
+                if at is not None and where.noun is not None and (where.noun.kind, where.noun.value) == _IT:
+                    where.noun = replace(at, det="the")
+        left.append(order)
+    return left
+
+
+def _without_kept(others: NounPhrase, kept: NounPhrase, finder: Finder) -> None:
+    """Let "the other three" be all but those that stay.
+
+    Raises:
+        InputError: there are not so many.
+    """
+    noun, said = kept.noun, others.noun
+    every = [p.id for p in finder.matching(replace(noun, plural=True, count=None))]
+    stay = named(finder, kept, kept.places)
+    rest = [id for id in every if id not in stay]
+    if not rest or (said.count and said.count != len(rest)):
+        raise InputError(f"'{said.text}': besides {', '.join(stay)} there is {', '.join(rest) or 'none'}")
+    others.noun = replace(noun, det="all", count=None, plural=True, text=f"the other {noun.text.partition(' ')[2]}")
+    others.spared = [NounPhrase(noun, id=id) for id in stay]
 
 
 def _nouns(where: Where) -> Iterator[Noun]:

@@ -411,9 +411,7 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    orders = _joined(read.orders)
-    with_antecedents(orders, finder)
-    orders = in_turn(orders, finder)
+    orders = in_turn(with_antecedents(_joined(read.orders), finder), finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))

@@ -30,6 +30,8 @@ SAME_SIZE = 0.05
 """How much a size may differ from what is said of it [m]."""
 ACROSS = 120.0
 """From which angle between two gazes on one looks at the other [degrees]."""
+LEAST_HEAD = 4
+"""Shortest word that can be the end of the name of another thing [characters]."""
 LISTED = 40
 """Most kinds and objects that a message names."""
 _FILLED = frozenset(("with", "of"))
@@ -240,11 +242,22 @@ class Finder:
         return fitting or ([] if wanted else self._with_more(noun))
 
     def _with_more(self, noun: Noun) -> list[Placement]:
-        """Those that are such a thing with something: "the vase" is a vase with flowers, where no other is there."""
+        """Where no such thing is there, those that are one with something, or by the end of their name.
+
+        "The vase" is a vase with flowers, "the benches" are the workbenches.
+        """
         names = {noun.value, singular(noun.word.lower())}
-        return [
+        filled = [
             p for p in self.scene.placements if _FILLED & {*p.category.split("_")[1:]} and _head(p.category) in names
         ]
+        word = singular(noun.word.lower())
+        if filled or len(word) < LEAST_HEAD:
+            return filled
+        joined = [p for p in self.scene.placements if p.category.rpartition("_")[2].endswith(word)]
+        joined = [p for p in joined if not facts_of(p.category).is_in("small")]
+        says = f"'{noun.text}' is taken to be {_ids(joined)}"
+        self.seen += [says] if joined and says not in self.seen else []
+        return joined
 
     def nothing(self, text: str) -> InputError:
         """The error that nothing fits a phrase, with what there is."""

@@ -1255,6 +1255,8 @@ class _OrderReader:
             walled = bool(self._anchors) and self._anchors[-1].kind == "place" and bool(self._former)
             if walled and "wall" in self._anchors[-1].value:
                 where.noun = self._former[-1]
+            elif self._anchors[-1:] and self._anchors[-1].value == "floor":
+                pass
             elif self._anchors:
                 where.noun = self._anchors[-1]
             elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
