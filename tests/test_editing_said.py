@@ -620,3 +620,15 @@ def test_the_benches_of_a_workshop_are_the_workbenches() -> None:
 def test_what_is_still_to_face_something_is_no_name_of_a_thing() -> None:
     (order,) = read_instruction("Have the armchair still face the sofa").orders
     assert [phrase.noun.value for phrase in order.things] == ["armchair"]
+
+
+def test_what_is_longer_slides_along_its_wall_and_is_as_long_as_is_said() -> None:
+    before = built(room(), ("workbench_1", 3.0, 4.6, 270.0, "floor"), ("stool_1", 3.0, 4.1, 90.0, "floor"))
+    width = before["workbench_1"].size[1]
+    before = built(room(), ("workbench_1", 5.95 - width / 2, 4.6, 270.0, "floor"),
+                   ("stool_1", 5.95 - width / 2, 4.1, 90.0, "floor"))  # fmt: skip
+    after = done(before, f"Replace the workbench by a longer one, at least {width + 0.3:.2f} m").scene
+    assert after["workbench_1"].size[1] == pytest.approx(width + 0.3, abs=0.01)
+    assert measure(after, "against_wall", "workbench_1", ("north_wall",)).holds
+    with pytest.raises(InputError, match="not longer than"):
+        edit_room(before, f"Replace the workbench by a longer one of {width - 0.2:.2f} m")

@@ -139,6 +139,9 @@ def _passed(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
     for index in range(len(tokens)):
         if (size := read_size(lexicon, list(tokens), index)) is not None:
             passed |= set(range(index, size[1]))
+        bound = longest("bounds", tokens, index)
+        if bound is not None and read_size(lexicon, list(tokens), index + bound[1]) is not None:
+            passed |= set(range(index, index + bound[1]))
         begins = not index or tokens[index - 1].text in _BEFORE_VERBS or index - 1 in passed
         sorts = _SORTS if begins else tuple(sort for sort in _SORTS if sort != "verbs")
         lengths = [found[1] for sort in sorts if (found := longest(sort, tokens, index)) is not None]
