@@ -632,3 +632,29 @@ def test_what_is_longer_slides_along_its_wall_and_is_as_long_as_is_said() -> Non
     assert measure(after, "against_wall", "workbench_1", ("north_wall",)).holds
     with pytest.raises(InputError, match="not longer than"):
         edit_room(before, f"Replace the workbench by a longer one of {width - 0.2:.2f} m")
+
+
+def test_a_colour_of_two_words_and_a_reason_are_understood() -> None:
+    assert done(living(), "Make the sofa navy blue").changes
+    assert [c.id for c in done(living(), "There's no party here any more, so clear the coffee table").changes] == [
+        "vase_1"
+    ]
+
+
+def test_how_a_thing_looks_and_where_it_is_are_two_orders() -> None:
+    edit = done(living(), "The rug should be green and round and lie in front of the desk")
+    asset = edit.scene.asset_of(edit.scene["rug_1"])
+    assert {"green", "round"} <= {*asset.attributes}
+    assert measure(edit.scene, "in_front_of", "rug_1", ("desk_1",)).holds
+
+
+def test_in_between_is_between_what_was_named_before() -> None:
+    put, between = read_instruction("I want the two armchairs facing each other with the side table in between").orders
+    assert (put.mutual, between.things[0].noun.value) == ("facing", "side_table")
+    assert [(w.word, w.noun.value) for w in between.things[0].places if w.noun is not None] == [("between", "them")]
+
+
+def test_what_is_too_high_for_a_window_is_told_by_its_figures() -> None:
+    before = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"))
+    edit = edit_room(before, "Put the bookcase under the window")
+    assert any("sill of window_1 at 0.90 m" in text for text in edit.failed)

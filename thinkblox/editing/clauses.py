@@ -90,7 +90,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
     starts, lead = _unwanted(tokens, starts, lead)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
-    lead = [] if about or disliked else lead
+    lead = [] if about or disliked or _is_reason(lead) else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):
@@ -250,7 +250,12 @@ def told_before(tokens: Sequence[Token]) -> int:
     starts, lead = _unwanted(tokens, starts, tokens[:begun])
     if starts and starts[0].begin > begun:
         return starts[0].begin
-    return len(lead) if _about(lead) or _disliked(lead) else 0
+    return len(lead) if _about(lead) or _disliked(lead) or _is_reason(lead) else 0
+
+
+def _is_reason(lead: Sequence[Token]) -> bool:
+    """Whether it only tells why: "there's no computer here any more, so (clear the desk)"."""
+    return [token.text for token in lead[-2:]] == [",", "so"]
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:

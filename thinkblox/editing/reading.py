@@ -15,7 +15,7 @@ from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import reworded, uncontracted, with_ids, with_owners
+from thinkblox.editing.rewording import in_between, reworded, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -83,7 +83,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
     read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
-    tokens = without_announcements(_without_commas(_included(reworded(with_owners(lexicon, read)))))
+    tokens = without_announcements(_without_commas(_included(in_between(reworded(with_owners(lexicon, read))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -615,7 +615,7 @@ class _OrderReader:
         elif order.doing == "make" and self._negated:
             self._negated = False
             order.ruled_out.append("round")
-        elif order.doing == "make":
+        elif order.doing == "make" or (order.doing == "put" and order.looks):
             order.looks.append("round")
         elif order.doing != "swap":
             order.lost.append("round")

@@ -19,6 +19,8 @@ _NUMBER = re.compile(r" (?:no|nr|number)$", re.I)
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _RANGE = re.compile(r"\b([a-z]+s) ([0-9]{1,3}) ?(?:to|through|-|–) ?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
+MOST_NAMED = 8
+"""Most words of a thing that is to be in between others."""
 _ARTICLES = ("the", "my", "our", "your", "this", "that", "each", "every")
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
 """After a number that is an angle or a share."""
@@ -42,6 +44,23 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         left.append(replace(first, shown=words, start=tokens[at].start))
         left += [replace(token, start=-1) for token in more]
         at += found[1]
+    return left
+
+
+def in_between(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(the armchairs) with the table in between" as "and put the table between them"."""
+    left = list(tokens)
+    for at in reversed(range(len(tokens) - 1)):
+        if (tokens[at].text, tokens[at + 1].text) != ("in", "between"):
+            continue
+        begin = next((n for n in range(at - 1, max(at - MOST_NAMED, -1), -1) if left[n].text == "with"), None)
+        if begin is None or any(left[n].kind == "mark" for n in range(begin, at)):
+            continue
+        between = [replace(token, start=-1) for token in tokenise("between them")]
+        between[0] = replace(between[0], shown=f"{tokens[at].shown} {tokens[at + 1].shown}", start=tokens[at].start)
+        put = Token("put", "put", "word", start=-1)
+        left[at : at + 2] = between
+        left[begin : begin + 1] = [replace(left[begin], text="and", shown="and"), put]
     return left
 
 
