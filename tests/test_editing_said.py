@@ -3,8 +3,9 @@
 import math
 
 import pytest
+from msgspec import structs
 
-from tests.edited_rooms import bedroom, built, dining, living, room
+from tests.edited_rooms import OPENINGS, bedroom, built, dining, living, room
 from tests.test_editing_guard import classroom, done
 from thinkblox import Scene, edit_room
 from thinkblox.assets.source import ProceduralAssets
@@ -13,6 +14,7 @@ from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.support import placed_at
 
 
@@ -658,3 +660,28 @@ def test_what_is_too_high_for_a_window_is_told_by_its_figures() -> None:
     before = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"))
     edit = edit_room(before, "Put the bookcase under the window")
     assert any("sill of window_1 at 0.90 m" in text for text in edit.failed)
+
+
+def test_none_of_that_but_something_instead() -> None:
+    edit = done(bedroom(), "No wardrobe please; a bookcase instead")
+    assert {(c.id, c.what) for c in edit.changes} == {("wardrobe_1", "removed"), ("bookcase_1", "added")}
+
+
+def test_either_side_of_one_window_is_beside_that_one_and_what_hangs_comes_there() -> None:
+    windows = (OPENINGS[0], Opening(id="window_1", kind="window", wall=2, offset=2.0, width=1.6, height=1.2, sill=0.9),
+               Opening(id="window_2", kind="window", wall=3, offset=1.5, width=1.6, height=1.2, sill=0.9))  # fmt: skip
+    before = built(rectangle(6.0, 5.0, openings=windows), ("desk_1", 3.0, 2.5, 90.0, "floor"))
+    after = done(before, "Add two wall lamps, one on either side of the north window").scene
+    assert [after[f"wall_lamp_{n}"].support for n in (1, 2)] == ["north_wall", "north_wall"]
+    assert sorted(after[f"wall_lamp_{n}"].position[0] < 3.2 for n in (1, 2)) == [False, True]
+
+
+def test_what_somebody_is_given_comes_to_the_desk_that_is_called_theirs() -> None:
+    before = classroom()
+    asset = before.asset_of(before["desk_1"]).called("teacher's desk")
+    called = before.without("desk_1").with_placement(structs.replace(before["desk_1"], asset=asset.id), asset)
+    after = done(called, "Give the teacher a chair").scene
+    new = next(p for p in after.placements if p.id not in before)
+    assert measure(after, "at", new.id, ("desk_1",)).holds
+    with pytest.raises(InputError, match="of one"):
+        edit_room(before, "Give the doctor a chair")

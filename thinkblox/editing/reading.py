@@ -15,7 +15,7 @@ from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import in_between, reworded, uncontracted, with_ids, with_owners
+from thinkblox.editing.rewording import in_between, reworded, something_instead, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -83,7 +83,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
     read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
-    tokens = without_announcements(_without_commas(_included(in_between(reworded(with_owners(lexicon, read))))))
+    said = something_instead(reworded(with_owners(lexicon, read)))
+    tokens = without_announcements(_without_commas(_included(in_between(said))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:

@@ -280,7 +280,7 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
     if whole.kind == "place":
         if whole.value not in _OPENINGS or not things(finder.scene, whole.value):
             raise InputError(f"'{_text(where)}' is no place that a thing can be put")
-        names = [mark.name for mark in things(finder.scene, whole.value)]
+        names = [mark.name for mark in things(finder.scene, opening_named(finder.scene, whole))]
         return [Bound(kind, (name,)) for name in names for kind in ("left_of", "right_of")]
     anchors = finder.ids(NounPhrase(whole, id=whole.id))
     bounds: list[Bound] = []
@@ -315,6 +315,8 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     noun = where.noun
     if noun is None:
         return None
+    if noun.kind == "people":
+        return _thing(where, _thing_of(noun, finder), category, finder, picks)
     if noun.kind == "room":
         return Bound("facing", of_room=True) if where.word in ("facing", "to", "near", "at", "opposite") else None
     if noun.kind == "part":
@@ -324,6 +326,20 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     return _thing(where, noun, category, finder, picks)
 
 
+def _thing_of(noun: Noun, finder: Finder) -> Noun:
+    """The desk or table of somebody: of "the teacher" what is called the teacher's, or else would be.
+
+    Raises:
+        InputError: none is somebody's in this room.
+    """
+    owner, scene = noun.word, finder.scene
+    worked_at = [p for p in scene.placements if facts_of(p.category).is_in("desks", "tables", "counters")]
+    called = [p for p in worked_at if scene.asset_of(p).name.lower().startswith((f"{owner}'s ", f"{owner} "))]
+    if len(called) == 1:
+        return Noun("thing", called[0].category, 0, 0, noun.text, det="the", id=called[0].id)
+    raise InputError(f"'{noun.text}': nothing in the room is known to be of one; name a thing, such as a desk")
+
+
 def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | None:
     """To the left of the sofa, at the foot of the bed, in the middle of the table or of the room."""
     whole = where.whole or (Noun("thing", noun.owner, 0, 0, noun.owner) if noun.owner else None)
@@ -331,7 +347,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
-            return Bound(cast(RelationKind, f"{noun.value}_of"), (whole.value,), where.negated)
+            kind = cast(RelationKind, f"{noun.value}_of")
+            return Bound(kind, (opening_named(finder.scene, whole),), where.negated)
         if noun.value == "middle" and whole is not None and whole.kind == "place":
             return _middle_of(where, whole, finder)
         if noun.value == "middle":
