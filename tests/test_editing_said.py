@@ -685,3 +685,24 @@ def test_what_somebody_is_given_comes_to_the_desk_that_is_called_theirs() -> Non
     assert measure(after, "at", new.id, ("desk_1",)).holds
     with pytest.raises(InputError, match="of one"):
         edit_room(before, "Give the doctor a chair")
+
+
+def test_what_belongs_to_a_thing_stands_by_it() -> None:
+    before = built(room(), ("desk_1", 5.5, 1.5, 180.0, "floor"), ("chair_1", 1.0, 4.3, 0.0, "floor"))
+    with pytest.raises(InputError, match="none of chair_1 stands within"):
+        edit_room(before, "Remove the desk together with its chair")
+    near = built(room(), ("desk_1", 5.5, 1.5, 180.0, "floor"), ("chair_1", 4.8, 1.5, 0.0, "floor"))
+    assert len(done(near, "Remove the desk together with its chair").changes) == 2
+
+
+def test_a_change_of_size_that_is_ruled_out_is_none() -> None:
+    deep, wide, _ = living()["coffee_table_1"].size
+    edit = done(living(), "Make the coffee table longer but not wider")
+    assert edit.scene["coffee_table_1"].size[0] == pytest.approx(deep, abs=0.001)
+    assert edit.scene["coffee_table_1"].size[1] > wide + 0.05
+
+
+def test_something_small_goes_to_what_usually_carries_it_before_a_seat() -> None:
+    full = built(room(), ("nightstand_1", 0.5, 3.0, 0.0, "floor"), ("table_lamp_1", 0.5, 3.0, 0.0, "nightstand_1"),
+                 ("chair_1", 2.0, 3.0, 0.0, "floor"), ("dresser_1", 5.7, 2.0, 180.0, "floor"))  # fmt: skip
+    assert done(full, "Add a table lamp").scene["table_lamp_2"].support != "chair_1"

@@ -10,7 +10,7 @@ from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
-from thinkblox.editing.carrying import usual_ties
+from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.more_rows import add_rows, is_row
@@ -111,7 +111,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [At(spot.position[:2], THERE) for spot in left]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         tried = len(work.failed)
-        id = _at_their_table(work, category, noun) if not goals else ""
+        id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
         id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
             break
@@ -139,6 +139,18 @@ def _at_their_table(work: Work, category: str, noun: Noun) -> str:
         work.restore(saved)
         del work.failed[said:]
     return id
+
+
+def _on_usual(work: Work, category: str, noun: Noun) -> str:
+    """Add something small to the first of what usually carries it that has room; empty where none has."""
+    carriers = usual_carriers(work.scene, category) if work.source.usual(category)[1] == "surface" else []
+    saved, said = work.saved(), len(work.failed)
+    for carrier in carriers[:CARRIERS]:
+        if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
+            return id
+        work.restore(saved)
+        del work.failed[said:]
+    return ""
 
 
 def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:

@@ -78,7 +78,7 @@ class Order:
         slight: it is to be a little.
         seated: seats are pushed "in" to their table, or pulled "out".
         looks: what a thing is to look like: colours, materials, shapes.
-        ruled_out: what a thing is not to look like.
+        ruled_out: what a thing is not to look like, and how its size is not to change.
         change: how the room is to change: "longer", "wider", ...
         times: by how many times; 0 where that is not said.
         room: it is about the whole room.

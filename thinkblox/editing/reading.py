@@ -530,6 +530,10 @@ class _OrderReader:
     def _change(self, mark: OrderMark) -> None:
         """Take how the size of a thing changes; of two ways the first is lost."""
         order = self.order
+        if self._negated:
+            self._negated = False
+            order.ruled_out.append(mark.key)
+            return
         absolute = mark.sort == "absolutes" and order.lengths
         if order.change and not absolute and order.change.removesuffix("=") != mark.key:
             order.lost.append(order.change.removesuffix("="))
