@@ -706,3 +706,26 @@ def test_something_small_goes_to_what_usually_carries_it_before_a_seat() -> None
     full = built(room(), ("nightstand_1", 0.5, 3.0, 0.0, "floor"), ("table_lamp_1", 0.5, 3.0, 0.0, "nightstand_1"),
                  ("chair_1", 2.0, 3.0, 0.0, "floor"), ("dresser_1", 5.7, 2.0, 180.0, "floor"))  # fmt: skip
     assert done(full, "Add a table lamp").scene["table_lamp_2"].support != "chair_1"
+
+
+def test_the_left_one_that_is_excepted_is_one_of_those_that_are_meant() -> None:
+    before = built(room(), ("bookcase_1", 3.4, 4.75, 270.0, "floor"), ("bookcase_2", 4.6, 4.75, 270.0, "floor"),
+                   ("bookcase_3", 0.3, 3.0, 0.0, "floor"))  # fmt: skip
+    gone = done(before, "Remove all bookcases along the north wall except the left one").changes
+    assert [c.id for c in gone] == ["bookcase_2"]
+
+
+def test_what_is_added_at_each_of_a_row_is_at_that_row_alone() -> None:
+    after = done(classroom(), "Add a laptop on each school desk in the first row").scene
+    assert sorted(p.support for p in after.placements if p.category == "laptop") == row(1)[:3]
+
+
+def test_what_stays_on_a_thing_that_moves_goes_along() -> None:
+    after = done(living(), "Move the coffee table 20 cm to the north but keep the vase on it").scene
+    assert after["vase_1"].support == "coffee_table_1"
+    assert after["vase_1"].position[1] == pytest.approx(living()["vase_1"].position[1] + 0.2, abs=0.02)
+
+
+def test_the_other_side_of_a_desk_is_not_the_one_that_the_chair_is_at() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("chair_1", 1.2, 2.6, 180.0, "floor"))
+    assert edit_room(before, "Put the chair on the other side of the desk").failed

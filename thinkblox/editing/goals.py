@@ -245,7 +245,10 @@ class DrawnUp(Related):
         """Both."""
         held, says = super().check(before, after, id)
         there = measure(after, self.side, id, self.anchors)
-        return held and there.holds, f"{says}; {there.measured}"
+        table = after[self.anchors[0]]
+        ahead, left = table.to_local(after[id].position[:2])
+        at_side = {"in_front_of": ahead > 0, "behind": ahead < 0, "left_of": left > 0}.get(self.side, left < 0)
+        return held and there.holds and at_side, f"{says}; {there.measured}"
 
 
 @dataclass(frozen=True)

@@ -1411,7 +1411,8 @@ class _OrderReader:
         """Whether this is what rests on the thing itself: "the table and what is on it"."""
         things = self.order.things
         alone = where.noun is not None and _is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
-        return alone and bool(things) and things[-1].noun.kind == "thing" and self.order.doing in _ON_KNOWN
+        told = self.order.rest if self.order.doing == "keep" else self.order.doing in _ON_KNOWN
+        return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
     def _of_result(self, where: Where) -> None:
         """Read "so that it is next to the bed", "so that nothing stands in the centre", "so there is room in it"."""

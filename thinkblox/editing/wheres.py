@@ -853,7 +853,8 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
             if phrase.noun.kind == "number" and of is not None:
                 noun = dataclasses.replace(of, det="the", count=phrase.noun.count, plural=(phrase.noun.count or 1) > 1)
                 phrase = dataclasses.replace(phrase, noun=noun)
-            out = _spoken_of(finder, phrase, ids) or _named(finder, phrase, phrase.places, ())
+            out = _spoken_of(finder, phrase, ids) or _of_them(finder, phrase, ids, of)
+            out = out or _named(finder, phrase, phrase.places, ())
             ids = [id for id in ids if id not in out]
     return tuple(ids)
 
@@ -864,6 +865,15 @@ def _spoken_of(finder: Finder, phrase: NounPhrase, ids: Sequence[str]) -> tuple[
     bare = noun.kind == "thing" and noun.definite and not (phrase.places or phrase.id or noun.id or noun.many)
     among = [p for p in finder.matching(noun) if p.id in ids] if bare else []
     return (among[0].id,) if len(among) == 1 else ()
+
+
+def _of_them(finder: Finder, phrase: NounPhrase, ids: Sequence[str], of: Noun | None) -> tuple[str, ...]:
+    """Which of some objects a phrase of the same kind excepts by its side, number or size: "the left one" of them."""
+    noun = phrase.noun
+    told = noun.side or noun.ordinal or phrase.rank or noun.degree
+    if of is None or noun.kind != "thing" or noun.value != of.value or phrase.places or noun.rows or not told:
+        return ()
+    return finder.ids(phrase, among=[finder.scene[id] for id in ids])
 
 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
