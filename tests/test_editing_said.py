@@ -3,15 +3,19 @@
 import math
 
 import pytest
+from msgspec import structs
 
-from tests.edited_rooms import bedroom, built, dining, living, room
+from tests.edited_rooms import OPENINGS, bedroom, built, dining, living, room
 from tests.test_editing_guard import classroom, done
 from thinkblox import Scene, edit_room
+from thinkblox.assets.source import ProceduralAssets
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.support import placed_at
 
 
 def gap(scene: Scene, one: str, other: str) -> float:
@@ -474,3 +478,254 @@ def test_two_lengths_are_the_size_of_what_is_new() -> None:
 def test_towards_the_one_on_the_right() -> None:
     (order,) = read_instruction("Turn the TV towards the armchair on the right").orders
     assert [noun.side for noun in order.facing] == ["right"]
+
+
+def with_lamps() -> Scene:
+    """The classroom with a table lamp on each school desk."""
+    rooms = classroom()
+    desks = [p for p in rooms.placements if p.category == "school_desk"]
+    asset = ProceduralAssets().make("desk_lamp", seed=3)
+    for desk in desks:
+        top = max(s.position[2] for s in rooms.asset_of(desk).surfaces)
+        id = desk.id.replace("school_desk", "desk_lamp")
+        spot = (desk.position[0], desk.position[1], top)
+        lamp = placed_at(rooms, asset, id=id, position=spot, yaw=180.0)
+        rooms = rooms.with_placement(lamp, asset)
+    return rooms
+
+
+def test_what_rests_on_things_is_in_their_row() -> None:
+    before = with_lamps()
+    for rest in ("", " but keep them in the back row"):
+        said = f"Remove the desk lamps from the front row{rest}"
+        gone = {c.id for c in done(before, said).changes}
+        assert gone == {"desk_lamp_1", "desk_lamp_2", "desk_lamp_3"}, said
+
+
+def test_those_of_what_was_named_are_told_by_row_or_place() -> None:
+    before = classroom()
+    said = "Move all school desks 10 cm to the west, except those in the front row"
+    assert {id for id in row(2) if id.startswith("school")} <= {c.id for c in done(before, said).changes}
+    assert "school_desk_1" not in {c.id for c in done(before, said).changes}
+    rooms = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"),
+                  ("bookcase_2", 5.7, 4.0, 180.0, "floor"), ("stool_1", 5.0, 1.4, 0.0, "floor"))  # fmt: skip
+    white = done(rooms, "Make the bookcases white, but leave the one closest to the stool as it is")
+    assert [c.id for c in white.changes] == ["bookcase_2"]
+
+
+def test_the_other_one_is_another_of_what_was_named_with_the_place() -> None:
+    before = built(room(), ("sideboard_1", 0.4, 2.0, 0.0, "floor"), ("sideboard_2", 5.6, 2.0, 180.0, "floor"),
+                   ("vase_1", 0.4, 2.0, 0.0, "sideboard_1"))  # fmt: skip
+    for said in (
+        "Take the vase off the sideboard and put it on the other one",
+        "Put the vase on the other sideboard",
+    ):
+        assert done(before, said).scene["vase_1"].support == "sideboard_2", said
+    gone = done(before, "Don't remove the sideboard with the vase on it, only the other one").changes
+    assert [c.id for c in gone] == ["sideboard_2"]
+
+
+def test_only_what_is_named_last_goes_where_something_is_not_to_go() -> None:
+    gone = done(living(), "Don't remove the sofa, only the armchair").changes
+    assert [(c.id, c.what) for c in gone] == [("armchair_1", "removed")]
+
+
+def test_chairs_around_it_stay_around_what_the_sentence_before_changes() -> None:
+    after = done(dining(), "Make the dining table black and keep the chairs around it")
+    assert [c.id for c in after.changes] == ["dining_table_1"]
+
+
+def test_a_look_that_is_ruled_out_is_not_taken_for_one_that_is_wanted() -> None:
+    table = done(dining(0), "Make the dining table square, not round, and 1.2 m wide").scene
+    asset = table.asset_of(table["dining_table_1"])
+    assert "square" in asset.attributes
+    assert "round" not in asset.attributes
+    assert asset.size[:2] == pytest.approx((1.2, 1.2), abs=0.01)
+    with pytest.raises(InputError, match="names no size, colour"):
+        edit_room(living(), "Make the sofa not red")
+
+
+def test_what_stands_in_a_corner_is_no_neighbour_of_it_and_a_lamp_there_stands_on_the_floor() -> None:
+    before = built(room(), ("plant_1", 5.65, 4.65, 0.0, "floor"), ("bookcase_1", 5.7, 3.6, 180.0, "floor"))
+    after = done(before, "Get rid of whatever is standing in the north-east corner and put a reading lamp there").scene
+    assert sorted(p.id for p in after.placements) == ["bookcase_1", "floor_lamp_1"]
+    assert [c.id for c in done(before, "Remove what stands in the north-east corner").changes] == ["plant_1"]
+
+
+def test_everything_that_is_there() -> None:
+    after = done(living(), "Put everything that's on the coffee table onto the sideboard instead").scene
+    assert after["vase_1"].support == "sideboard_1"
+
+
+def test_more_of_the_chairs_at_a_table_go_to_it_or_nowhere() -> None:
+    for said in ("Add two more matching chairs", "I'd like seating for four at the table: add two more chairs"):
+        after = done(dining(), said).scene
+        assert all(measure(after, "at", f"chair_{n}", ("dining_table_1",)).holds for n in (3, 4)), said
+    rows = [("side_table_1", 0.5, 0.5, 0.0, "floor"), ("dining_table_1", 5.0, 4.0, 90.0, "floor")]
+    crowded = built(room(), *rows, ("chair_1", 5.0, 3.2, 90.0, "floor"), ("bookcase_1", 3.6, 4.0, 0.0, "floor"))
+    edit = edit_room(crowded, "Add nine more matching chairs")
+    new = [c.id for c in edit.changes]
+    assert edit.failed
+    assert all(measure(edit.scene, "at", id, ("dining_table_1",)).holds for id in new)
+
+
+def test_the_place_of_an_announcement_is_where_the_thing_goes() -> None:
+    (order,) = read_instruction("I need more storage in the corner by the window: add a bookcase").orders
+    assert [(w.word, w.noun.value) for w in order.things[0].places if w.noun is not None] == [("in", "corner")]
+    (order,) = read_instruction("I'd like more light in here: add a lamp by the door").orders
+    assert [w.noun.value for w in order.things[0].places if w.noun is not None] == ["door"]
+
+
+def test_one_on_each_side_uses_the_one_that_is_there() -> None:
+    before = built(room(), ("bed_1", 3.0, 3.9, 270.0, "floor"), ("nightstand_1", 4.1, 4.75, 270.0, "floor"),
+                   ("table_lamp_1", 4.1, 4.75, 0.0, "nightstand_1"))  # fmt: skip
+    for lead in ("", "Make the bed black and "):
+        said = f"{lead}put a nightstand on each side of the bed"
+        after = done(before, said).scene
+        assert sorted(p.id for p in after.placements if p.category == "nightstand") == ["nightstand_1", "nightstand_2"]
+        assert after["table_lamp_1"].support == "nightstand_1"
+        sides = [after["bed_1"].to_local(after[f"nightstand_{n}"].position[:2])[1] > 0 for n in (1, 2)]
+        assert sorted(sides) == [False, True], said
+
+
+def test_a_side_of_the_thing_that_is_to_be_at_a_wall_is_not_passed_over() -> None:
+    edit = edit_room(bedroom(), "Turn the bed by 90 degrees so that its long side is against the north wall")
+    assert any("its long side" in word for word in edit.unknown)
+
+
+def test_the_head_of_a_bed_is_at_its_end() -> None:
+    before = built(room(), ("bed_1", 3.0, 3.9, 270.0, "floor"), ("nightstand_1", 4.2, 3.8, 270.0, "floor"))
+    after = done(before, "Put the nightstand at the head of the bed").scene
+    bed = after["bed_1"]
+    assert bed.to_local(after["nightstand_1"].position[:2])[0] < -0.25 * bed.size[0]
+
+
+def test_the_others_of_so_many_that_are_enough_go_elsewhere() -> None:
+    for said in ("Two chairs are enough at the table; put the other two along the west wall",
+                 "Keep two chairs at the table and put the others along the west wall"):  # fmt: skip
+        after = done(dining(2), "Add two more chairs at the table").scene
+        moved = done(after, said).scene
+        at = [p.id for p in moved.placements if measure(moved, "at", p.id, ("dining_table_1",)).holds]
+        assert len([id for id in at if id.startswith("chair")]) == 2, said
+        assert len(moved.placements) == len(after.placements)
+
+
+def test_the_benches_of_a_workshop_are_the_workbenches() -> None:
+    before = built(room(), ("workbench_1", 3.0, 4.6, 270.0, "floor"), ("keyboard_1", 3.0, 4.6, 270.0, "workbench_1"))
+    edit = edit_room(before, "Make the bench black")
+    assert "workbench_1" in {c.id for c in edit.changes}
+    assert any("is taken to be workbench_1" in text for text in edit.done)
+    with pytest.raises(InputError, match="no board"):
+        edit_room(before, "Remove the board")
+
+
+def test_what_is_still_to_face_something_is_no_name_of_a_thing() -> None:
+    (order,) = read_instruction("Have the armchair still face the sofa").orders
+    assert [phrase.noun.value for phrase in order.things] == ["armchair"]
+
+
+def test_what_is_longer_slides_along_its_wall_and_is_as_long_as_is_said() -> None:
+    before = built(room(), ("workbench_1", 3.0, 4.6, 270.0, "floor"), ("stool_1", 3.0, 4.1, 90.0, "floor"))
+    width = before["workbench_1"].size[1]
+    before = built(room(), ("workbench_1", 5.95 - width / 2, 4.6, 270.0, "floor"),
+                   ("stool_1", 5.95 - width / 2, 4.1, 90.0, "floor"))  # fmt: skip
+    after = done(before, f"Replace the workbench by a longer one, at least {width + 0.3:.2f} m").scene
+    assert after["workbench_1"].size[1] == pytest.approx(width + 0.3, abs=0.01)
+    assert measure(after, "against_wall", "workbench_1", ("north_wall",)).holds
+    with pytest.raises(InputError, match="not longer than"):
+        edit_room(before, f"Replace the workbench by a longer one of {width - 0.2:.2f} m")
+
+
+def test_a_colour_of_two_words_and_a_reason_are_understood() -> None:
+    assert done(living(), "Make the sofa navy blue").changes
+    assert [c.id for c in done(living(), "There's no party here any more, so clear the coffee table").changes] == [
+        "vase_1"
+    ]
+
+
+def test_how_a_thing_looks_and_where_it_is_are_two_orders() -> None:
+    edit = done(living(), "The rug should be green and round and lie in front of the desk")
+    asset = edit.scene.asset_of(edit.scene["rug_1"])
+    assert {"green", "round"} <= {*asset.attributes}
+    assert measure(edit.scene, "in_front_of", "rug_1", ("desk_1",)).holds
+
+
+def test_in_between_is_between_what_was_named_before() -> None:
+    put, between = read_instruction("I want the two armchairs facing each other with the side table in between").orders
+    assert (put.mutual, between.things[0].noun.value) == ("facing", "side_table")
+    assert [(w.word, w.noun.value) for w in between.things[0].places if w.noun is not None] == [("between", "them")]
+
+
+def test_what_is_too_high_for_a_window_is_told_by_its_figures() -> None:
+    before = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"))
+    edit = edit_room(before, "Put the bookcase under the window")
+    assert any("sill of window_1 at 0.90 m" in text for text in edit.failed)
+
+
+def test_none_of_that_but_something_instead() -> None:
+    edit = done(bedroom(), "No wardrobe please; a bookcase instead")
+    assert {(c.id, c.what) for c in edit.changes} == {("wardrobe_1", "removed"), ("bookcase_1", "added")}
+
+
+def test_either_side_of_one_window_is_beside_that_one_and_what_hangs_comes_there() -> None:
+    windows = (OPENINGS[0], Opening(id="window_1", kind="window", wall=2, offset=2.0, width=1.6, height=1.2, sill=0.9),
+               Opening(id="window_2", kind="window", wall=3, offset=1.5, width=1.6, height=1.2, sill=0.9))  # fmt: skip
+    before = built(rectangle(6.0, 5.0, openings=windows), ("desk_1", 3.0, 2.5, 90.0, "floor"))
+    after = done(before, "Add two wall lamps, one on either side of the north window").scene
+    assert [after[f"wall_lamp_{n}"].support for n in (1, 2)] == ["north_wall", "north_wall"]
+    assert sorted(after[f"wall_lamp_{n}"].position[0] < 3.2 for n in (1, 2)) == [False, True]
+
+
+def test_what_somebody_is_given_comes_to_the_desk_that_is_called_theirs() -> None:
+    before = classroom()
+    asset = before.asset_of(before["desk_1"]).called("teacher's desk")
+    called = before.without("desk_1").with_placement(structs.replace(before["desk_1"], asset=asset.id), asset)
+    after = done(called, "Give the teacher a chair").scene
+    new = next(p for p in after.placements if p.id not in before)
+    assert measure(after, "at", new.id, ("desk_1",)).holds
+    with pytest.raises(InputError, match="of one"):
+        edit_room(before, "Give the doctor a chair")
+
+
+def test_what_belongs_to_a_thing_stands_by_it() -> None:
+    before = built(room(), ("desk_1", 5.5, 1.5, 180.0, "floor"), ("chair_1", 1.0, 4.3, 0.0, "floor"))
+    with pytest.raises(InputError, match="none of chair_1 stands within"):
+        edit_room(before, "Remove the desk together with its chair")
+    near = built(room(), ("desk_1", 5.5, 1.5, 180.0, "floor"), ("chair_1", 4.8, 1.5, 0.0, "floor"))
+    assert len(done(near, "Remove the desk together with its chair").changes) == 2
+
+
+def test_a_change_of_size_that_is_ruled_out_is_none() -> None:
+    deep, wide, _ = living()["coffee_table_1"].size
+    edit = done(living(), "Make the coffee table longer but not wider")
+    assert edit.scene["coffee_table_1"].size[0] == pytest.approx(deep, abs=0.001)
+    assert edit.scene["coffee_table_1"].size[1] > wide + 0.05
+
+
+def test_something_small_goes_to_what_usually_carries_it_before_a_seat() -> None:
+    full = built(room(), ("nightstand_1", 0.5, 3.0, 0.0, "floor"), ("table_lamp_1", 0.5, 3.0, 0.0, "nightstand_1"),
+                 ("chair_1", 2.0, 3.0, 0.0, "floor"), ("dresser_1", 5.7, 2.0, 180.0, "floor"))  # fmt: skip
+    assert done(full, "Add a table lamp").scene["table_lamp_2"].support != "chair_1"
+
+
+def test_the_left_one_that_is_excepted_is_one_of_those_that_are_meant() -> None:
+    before = built(room(), ("bookcase_1", 3.4, 4.75, 270.0, "floor"), ("bookcase_2", 4.6, 4.75, 270.0, "floor"),
+                   ("bookcase_3", 0.3, 3.0, 0.0, "floor"))  # fmt: skip
+    gone = done(before, "Remove all bookcases along the north wall except the left one").changes
+    assert [c.id for c in gone] == ["bookcase_2"]
+
+
+def test_what_is_added_at_each_of_a_row_is_at_that_row_alone() -> None:
+    after = done(classroom(), "Add a laptop on each school desk in the first row").scene
+    assert sorted(p.support for p in after.placements if p.category == "laptop") == row(1)[:3]
+
+
+def test_what_stays_on_a_thing_that_moves_goes_along() -> None:
+    after = done(living(), "Move the coffee table 20 cm to the north but keep the vase on it").scene
+    assert after["vase_1"].support == "coffee_table_1"
+    assert after["vase_1"].position[1] == pytest.approx(living()["vase_1"].position[1] + 0.2, abs=0.02)
+
+
+def test_the_other_side_of_a_desk_is_not_the_one_that_the_chair_is_at() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("chair_1", 1.2, 2.6, 180.0, "floor"))
+    assert edit_room(before, "Put the chair on the other side of the desk").failed

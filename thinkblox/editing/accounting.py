@@ -36,6 +36,8 @@ _SORTS = (
 )
 """Phrases of the instructions' grammar that may be said in other words, or go without saying."""
 _OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts", "people")
+_NAMING = ("object", "room", "attribute")
+"""What a name of several words can be of, all of which it needs."""
 _BEFORE_VERBS = (",", ".", ";", "!", "?", "and", "then", "but", "to")
 MOST = 80
 """Longest instruction of which the words are tried [tokens]; longer ones are read order by order by their users."""
@@ -99,11 +101,11 @@ def _named(orders: Sequence[Order]) -> set[str]:
 
 
 def _of_names(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
-    """The tokens of names of things that have several words: "dining chair" as a chair."""
+    """The tokens of names of several words: "dining chair" as a chair, "navy blue" as navy."""
     found: set[int] = set()
     for index in range(len(tokens)):
         name = lexicon.longest(list(tokens), index)
-        if name.length > 1 and any(entry.sort in ("object", "room") for entry in name.entries):
+        if name.length > 1 and any(entry.sort in _NAMING for entry in name.entries):
             found |= set(range(index, index + name.length))
     return found
 
@@ -139,6 +141,9 @@ def _passed(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
     for index in range(len(tokens)):
         if (size := read_size(lexicon, list(tokens), index)) is not None:
             passed |= set(range(index, size[1]))
+        bound = longest("bounds", tokens, index)
+        if bound is not None and read_size(lexicon, list(tokens), index + bound[1]) is not None:
+            passed |= set(range(index, index + bound[1]))
         begins = not index or tokens[index - 1].text in _BEFORE_VERBS or index - 1 in passed
         sorts = _SORTS if begins else tuple(sort for sort in _SORTS if sort != "verbs")
         lengths = [found[1] for sort in sorts if (found := longest(sort, tokens, index)) is not None]

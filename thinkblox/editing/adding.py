@@ -10,7 +10,7 @@ from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
-from thinkblox.editing.carrying import usual_ties
+from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.more_rows import add_rows, is_row
@@ -87,7 +87,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     places, slots = _of_those(finder, places, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
-    category = category_of(work, noun, [bounds[0] for bounds in slots])
+    left = [finder.left_place(order.text)] if order.there else []
+    left += [spot_of(where, "", work.start, finder) for where in spots_said]
+    floor = [Bound("on", (spot.support,)) for spot in left if spot.support == "floor"]
+    category = category_of(work, noun, [*(bounds[0] for bounds in slots), *floor])
     several = next((len(bounds) for bounds in slots if len(bounds) > 1), 1)
     if any(len(bounds) not in (1, several) for bounds in slots):
         raise InputError(f"'{order.text}' names several places of two kinds at once; give two orders")
@@ -105,11 +108,11 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
-        goals += [At(finder.left_place(order.text), THERE)] if order.there else []
-        goals += [At(spot_of(where, "", work.start, finder).position[:2], THERE) for where in spots_said]
+        goals += [At(spot.position[:2], THERE) for spot in left]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
-        id = _at_their_table(work, category, noun) if not goals else ""
-        id = id or add_one(work, category, noun, goals)
+        tried = len(work.failed)
+        id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
+        id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
             break
         added += [id] if id else []
@@ -120,7 +123,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
-    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be."""
+    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be.
+
+    What is said to be one more of them goes nowhere else; any other may.
+    """
     alike = [p.id for p in work.scene.placements if p.category == category]
     if not alike or not facts_of(category).is_in("seating"):
         return ""
@@ -129,10 +135,22 @@ def _at_their_table(work: Work, category: str, noun: Noun) -> str:
     saved, said = work.saved(), len(work.failed)
     goals = [_related(work, Bound("around", (table,)), category, 0, 1) for table in theirs[:1]]
     id = add_one(work, category, noun, goals) if goals else ""
-    if goals and not id:
+    if goals and not id and noun.det != "another":
         work.restore(saved)
         del work.failed[said:]
     return id
+
+
+def _on_usual(work: Work, category: str, noun: Noun) -> str:
+    """Add something small to the first of what usually carries it that has room; empty where none has."""
+    carriers = usual_carriers(work.scene, category) if work.source.usual(category)[1] == "surface" else []
+    saved, said = work.saved(), len(work.failed)
+    for carrier in carriers[:CARRIERS]:
+        if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
+            return id
+        work.restore(saved)
+        del work.failed[said:]
+    return ""
 
 
 def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:

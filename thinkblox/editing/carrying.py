@@ -37,8 +37,7 @@ def place_anew(work: Work, old: Placement, *, carriers: Sequence[str] = ()) -> b
     asset = work.assets[old.asset]
     fits = [p.id for p in work.scene.placements if work.asset_of(p.id).surfaces and p.id != old.id]
     fits = [id for id in fits if work.asset_of(id).mount != "surface"]
-    habits = [name for habit in load_habits().of(old.category) if habit.kind == "on" for name in habit.anchors]
-    usual = [id for name in habits for id in fits if work.scene[id].category == name]
+    usual = [id for id in usual_carriers(work.scene, old.category) if id in fits]
     near = sorted(fits, key=lambda id: (_is_soft(work.scene[id].category), _away(work.scene[id], old)))
     if asset.mount == "surface":
         looked_at = list(dict.fromkeys([*carriers, *usual, *near]))[:CARRIERS]
@@ -53,6 +52,12 @@ def place_anew(work: Work, old: Placement, *, carriers: Sequence[str] = ()) -> b
         return any(_onto(work, old, carrier, ask=True).run() for carrier in free[:ASKED])
     target = work.target(old.id, old.category, work.usual_ties(old.id) or usual_ties(work.scene, old.category))
     return Reaching(work, target, asset, (), begin=(old.position, old.yaw)).run()
+
+
+def usual_carriers(scene: Scene, category: str) -> list[str]:
+    """What things of a category usually rest on, of what is in the room, the most usual first."""
+    names = [name for habit in load_habits().of(category) if habit.kind == "on" for name in habit.anchors]
+    return [p.id for name in names for p in scene.placements if p.category == name]
 
 
 def _onto(work: Work, old: Placement, carrier: str, *, ask: bool = False) -> Reaching:

@@ -15,6 +15,10 @@ _POINTERS = frozenset(
 )
 """Words after a verb in the middle of a sentence, by which it is told from a noun."""
 _LINKS = (",", "and", "then", "but", "also", "while", "plus")
+_PLACING = ("at", "around", "by", "next_to", "near", "on", "in", "behind", "in_front_of", "against", "above", "under")
+"""Prepositions by which an announcement says where what it is about is to come."""
+MOST_NAMED = 6
+"""Most words of a place that an announcement ends with."""
 _RELATIVE = ("so", "that", "which", "who")
 _GONE = ("go", "leave", "disappear")
 _WANTS = ("want",)
@@ -86,7 +90,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
     starts, lead = _unwanted(tokens, starts, lead)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
-    lead = [] if about or disliked else lead
+    lead = [] if about or disliked or _is_reason(lead) else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):
@@ -113,14 +117,26 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             continue
         if start.denied and clause.doing in ("put", "keep", "make", "free"):
             raise InputError(f"'{text}' says what is not to be done; say what is")
-        made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
+        made += _denied(clause) if start.denied else [clause]
     return made
+
+
+def _denied(clause: Clause) -> list[Clause]:
+    """What is not to be done, by which things stay as they are: "don't remove the sofa, only the rug" takes the rug."""
+    tokens = clause.tokens
+    at = next((n for n in range(1, len(tokens) - 1) if tokens[n].text in ("only", "just", "rather")
+               and tokens[n - 1].text in (",", "but")), None)  # fmt: skip
+    if at is None:
+        return [Clause("keep", "", tokens, clause.text)]
+    end = next(n for n in range(at, 0, -1) if tokens[n - 1].text not in (",", "but"))
+    return [Clause("keep", "", tokens[:end], clause.text), replace(clause, tokens=tokens[at + 1 :])]
 
 
 def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     """The tokens without what only announces the orders behind a colon: "I'd like more light: add two wall lamps".
 
-    Of "clear the table: only the vase should stay" the second part is of what is on the table.
+    A place that it names is that of what is added then: "I want more seats at the table: add two chairs". Of "clear the
+    table: only the vase should stay" the second part is of what is on the table.
     """
     at = next((n for n, token in enumerate(tokens) if token.text == ":"), None)
     if at is None:
@@ -138,7 +154,19 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     if said is not None and start.doing == "keep" and start.before:
         subject = first + len(start.before)
         return [*tokens[:begin], *rest[:subject], _ON, *lead[said.body :], *rest[subject:]]
-    return [*tokens[:begin], *rest]
+    alone = not any(grammar().at(rest, n, "prepositions") for n in range(first, end))
+    where = _place_at_end(lead) if start.doing in ("add", "put") and alone else []
+    return [*tokens[:begin], *rest[:end], *where, *rest[end:]]
+
+
+def _place_at_end(lead: Sequence[Token]) -> list[Token]:
+    """The place that an announcement ends with, which names a thing that is known: "at the table"."""
+    for at in range(1, len(lead) - 2):
+        found = grammar().at(lead, at, "prepositions")
+        named = lead[at + found.length :] if found is not None and found.value in _PLACING else []
+        if named and named[0].text in ("the", "my", "our"):
+            return list(lead[at:]) if len(named) <= MOST_NAMED else []
+    return []
 
 
 def _unwanted(
@@ -222,7 +250,12 @@ def told_before(tokens: Sequence[Token]) -> int:
     starts, lead = _unwanted(tokens, starts, tokens[:begun])
     if starts and starts[0].begin > begun:
         return starts[0].begin
-    return len(lead) if _about(lead) or _disliked(lead) else 0
+    return len(lead) if _about(lead) or _disliked(lead) or _is_reason(lead) else 0
+
+
+def _is_reason(lead: Sequence[Token]) -> bool:
+    """Whether it only tells why: "there's no computer here any more, so (clear the desk)"."""
+    return [token.text for token in lead[-2:]] == [",", "so"]
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:

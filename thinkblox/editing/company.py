@@ -143,7 +143,8 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
         InputError: none is there, or none stands by it.
     """
     noun = phrase.noun
-    if phrase.id or noun.id or not noun.many:
+    own = noun.det == "my" and noun.text.lower().startswith(("its ", "their "))
+    if phrase.id or noun.id or not (noun.many or own):
         return list(finder.ids(phrase, picks=(nearest_to(work.scene, id, 1),)))
     found = [p.id for p in finder.matching(noun)]
     if not found:
@@ -152,7 +153,9 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
     away = {name: ground_gap(things(work.scene, name)[0], mark) for name in found}
     rivals = [p.id for p in work.scene.placements if p.category == work.scene[id].category and p.id != id]
     by_it = [name for name in found if away[name] <= REACH and not _is_of_another(work.scene, name, id, rivals)]
-    if noun.count:
+    if own and not noun.many:
+        by_it = sorted(by_it, key=lambda name: away[name])[:1]
+    elif noun.count:
         by_it = sorted(found, key=lambda name: away[name])[: noun.count]
     if not by_it:
         raise InputError(f"'{noun.text}': none of {', '.join(found)} stands within {REACH:g} m of {id}")

@@ -188,7 +188,8 @@ class ClauseCutter:
                 if found is not None and (self._doing == "make" or self._ends(tokens, at + found[1])):
                     return OrderMark(sort, found[0]), found[1]
         row = longest("rows", tokens, at)
-        if row is not None and self._doing not in ("add", "ensure"):
+        placed = any(grammar().at(tokens, n, "prepositions") is not None for n in range(at))
+        if row is not None and (placed or self._doing not in ("add", "ensure")):
             return OrderMark("rows", row[0]), row[1]
         clear = longest("clear", tokens, at)
         if clear is not None and self._doing in _CLEARED and at and self._ends(tokens, at + clear[1]):

@@ -12,6 +12,7 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
+from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
@@ -365,7 +366,9 @@ def _is_more(finder: Finder, noun: Noun) -> bool:
 
 def _keep(work: Work, finder: Finder, order: Order) -> None:
     """Everything that is not named stays where it is in any case; what is named is said to."""
-    ids = [id for phrase in order.things for id in _kept(finder, phrase)]
+    before = dataclasses.replace(finder, scene=work.start)
+    ids = [id for phrase in order.things for id in _kept(before, phrase)]
+    finder.recent = finder.recent or ids
     work.done.append(f"{', '.join(ids) or 'all else'} stays as it is")
 
 
@@ -408,7 +411,7 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    orders = in_turn(_joined(read.orders), finder)
+    orders = in_turn(with_antecedents(_joined(read.orders), finder), finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
@@ -423,7 +426,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         _DOERS[order.doing](work, finder, order)
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
-        finder.vacated = gone[-1].position[:2] if gone else finder.vacated
+        finder.vacated = gone[-1] if gone else finder.vacated
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen

@@ -21,6 +21,10 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         read: reads a clause as one order.
     """
     whole = read(clause)
+    if _looks_and_stands(whole):
+        yield replace(whole, doing="make", things=[replace(p, places=[]) for p in whole.things], places=[])
+        yield replace(whole, doing="put", looks=[], ruled_out=[], change="", lost=[])
+        return
     if clause.doing not in _SHARING or whole.doing not in _SHARING:
         yield whole
         return
@@ -44,6 +48,13 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             yield from each_order(parts[1], read)
             return
     yield whole
+
+
+def _looks_and_stands(order: Order) -> bool:
+    """Whether it says of a thing that is there how it is to look, and where it is to be: "green, and by the door"."""
+    known = bool(order.things) and all(phrase.noun.definite or phrase.id for phrase in order.things)
+    placed = bool(order.places) or any(phrase.places for phrase in order.things)
+    return order.doing == "put" and bool(order.looks) and known and placed and not order.lengths
 
 
 def _joints(clause: Clause) -> Iterator[tuple[int, int]]:

@@ -1,7 +1,9 @@
 """Orders on how many there are to be, and what is to be larger than it is: no more than is lacking is added."""
 
 import dataclasses
+from collections.abc import Mapping
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.acting import related
 from thinkblox.editing.adding import add, category_of
 from thinkblox.editing.finding import Finder
@@ -10,11 +12,15 @@ from thinkblox.editing.making import make
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.wheres import bound, slots_of
+from thinkblox.editing.wheres import BELONGING, Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
+
+_SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 
 def bring(work: Work, finder: Finder, order: Order) -> None:
@@ -34,6 +40,9 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
         move(work, finder, dataclasses.replace(order, doing="move"))
         return
     compared = [p for p in order.things if p.noun.degree and not p.noun.id]
+    if len(order.things) == 1 and (sides := _sides_with_some(finder, order.things[0])):
+        _complete(work, finder, order, sides)
+        return
     if not compared:
         add(work, finder, order)
         return
@@ -53,6 +62,45 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     make(
         work, finder, Order("make", order.text, things=[phrase], change=change_of(phrase), looks=phrase.noun.attributes)
     )
+
+
+def _sides_with_some(finder: Finder, phrase: NounPhrase) -> dict[Bound, str]:
+    """What stands already at the sides of a thing, of each of which one is to be: "a nightstand on each side of it".
+
+    What stands beside the thing, and at none of its sides as it should, is that of the side that it is nearest to.
+    Empty where nothing is there, or so many are not one for each.
+    """
+    noun, where = phrase.noun, phrase.places[0] if len(phrase.places) == 1 else None
+    one = noun.kind == "thing" and (noun.count or 1) == 1 and noun.det in ("a", "") and not (noun.plural or noun.degree)
+    if not one or where is None or where.noun is None or not where.noun.each or where.noun.kind != "part":
+        return {}
+    scene, found = finder.scene, finder.matching(noun)
+    slots = slots_of(where, found[0].category, finder) if found else []
+    beside = [slot for slot in slots if slot.kind in _SIDES and not slot.part and slot.anchors[0] in scene]
+    if len(beside) != 2 or len(slots) != 2:
+        return {}
+    mark = things(scene, beside[0].anchors[0])[0]
+    left = [p.id for p in found if ground_gap(things(scene, p.id)[0], mark) <= BELONGING]
+    sides = {slot: next((id for id in left if slot.holds(scene, id)), "") for slot in beside}
+    for id in (id for id in left if id not in sides.values()):
+        sides |= dict.fromkeys([s for s, there in sides.items() if not there][:1], id)
+    return sides if any(sides.values()) else {}
+
+
+def _complete(work: Work, finder: Finder, order: Order, sides: Mapping[Bound, str]) -> None:
+    """Let one stand at each side of a thing: those that are there stay or move to it, and only what lacks is added."""
+    phrase, recent = order.things[0], list[str]()
+    for slot, id in sides.items():
+        at = Noun("thing", work.scene[slot.anchors[0]].category, 0, 0, "it", det="the", id=slot.anchors[0])
+        there = [Where(slot.kind, at, text=slot.kind.replace("_", " "))]
+        head = Noun("part", "head", 0, 0, "the head", det="the")
+        there += [Where("at", head, at, text="at")] if facts_of(at.value).is_in("beds") else []
+        known = dataclasses.replace(phrase.noun, det="the", id=id) if id else phrase.noun
+        one = dataclasses.replace(order, things=[dataclasses.replace(phrase, noun=known, id=id, places=there)])
+        (move if id else add)(work, finder, dataclasses.replace(one, doing="move" if id else "add"))
+        finder.scene = work.before = work.scene
+        recent += finder.recent
+    finder.recent = recent
 
 
 def change_of(phrase: NounPhrase) -> str:

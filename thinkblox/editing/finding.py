@@ -23,7 +23,6 @@ from thinkblox.scene.placement import Placement, apart
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Wall, turn_between
 from thinkblox.scene.scene import Scene
-from thinkblox.value import Vec2
 
 BY_IT = 0.3
 """How far from what was spoken of something stands that belongs to it [m]."""
@@ -31,6 +30,8 @@ SAME_SIZE = 0.05
 """How much a size may differ from what is said of it [m]."""
 ACROSS = 120.0
 """From which angle between two gazes on one looks at the other [degrees]."""
+LEAST_HEAD = 4
+"""Shortest word that can be the end of the name of another thing [characters]."""
 LISTED = 40
 """Most kinds and objects that a message names."""
 _FILLED = frozenset(("with", "of"))
@@ -46,7 +47,7 @@ class Finder:
         seen: from where "the left one" of several was decided, and which of several were taken, in sentences.
         owners: what an order has named so far, for "their chairs".
         named: everything that an order has named so far, for "the other nightstand".
-        vacated: where the last thing stood that was taken away [m].
+        vacated: the last thing that was taken away, as it stood.
         about: id of what is being moved, from which "the other side" is seen.
     """
 
@@ -56,7 +57,7 @@ class Finder:
     about: str = ""
     owners: list[str] = field(default_factory=list)
     named: list[str] = field(default_factory=list)
-    vacated: Vec2 | None = None
+    vacated: Placement | None = None
 
     def ids(
         self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
@@ -103,8 +104,8 @@ class Finder:
             return self._part(phrase, tuple(p.id for p in self._as_many(_all(noun), found, picks)))
         return tuple(p.id for p in self._as_many(noun, found, picks))
 
-    def left_place(self, text: str) -> Vec2:
-        """Where something was that has been taken away [m].
+    def left_place(self, text: str) -> Placement:
+        """What has been taken away, as it stood.
 
         Raises:
             InputError: nothing has been.
@@ -159,6 +160,8 @@ class Finder:
         """Those that were not spoken of."""
         left = [p for p in found if p.id not in self.recent]
         left = left if len(left) < len(found) else [p for p in found if p.id not in self.named]
+        if len(left) in (0, len(found)) and self.about in self.scene:
+            left = [p for p in found if not self._belongs(self.scene[self.about], p.id)]
         if len(left) == len(found) and len(found) > 1 and not (noun.many and self.recent):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(f"'{noun.text}': other than which? It could be {says}")
@@ -239,11 +242,22 @@ class Finder:
         return fitting or ([] if wanted else self._with_more(noun))
 
     def _with_more(self, noun: Noun) -> list[Placement]:
-        """Those that are such a thing with something: "the vase" is a vase with flowers, where no other is there."""
+        """Where no such thing is there, those that are one with something, or by the end of their name.
+
+        "The vase" is a vase with flowers, "the benches" are the workbenches.
+        """
         names = {noun.value, singular(noun.word.lower())}
-        return [
+        filled = [
             p for p in self.scene.placements if _FILLED & {*p.category.split("_")[1:]} and _head(p.category) in names
         ]
+        word = singular(noun.word.lower())
+        if filled or len(word) < LEAST_HEAD:
+            return filled
+        joined = [p for p in self.scene.placements if p.category.rpartition("_")[2].endswith(word)]
+        joined = [p for p in joined if not facts_of(p.category).is_in("small")]
+        says = f"'{noun.text}' is taken to be {_ids(joined)}"
+        self.seen += [says] if joined and says not in self.seen else []
+        return joined
 
     def nothing(self, text: str) -> InputError:
         """The error that nothing fits a phrase, with what there is."""

@@ -35,6 +35,8 @@ BESIDE_LINE = 0.3
 """How far from the line between two things something stands at most that is centred between them [m]."""
 LEVEL = 0.2
 """How far before or behind a thing something stands at most that is beside it [m]."""
+HEAD = 0.25
+"""How far behind the middle of a bed is at its head, as a part of its length."""
 BEFORE_SEAT = 0.9
 """How far from the middle of a seat what lies before it is at most [m]."""
 LEAST = 0.02
@@ -215,7 +217,8 @@ class AtHead(Related):
         held, says = super().check(before, after, id)
         ahead, left = after[self.anchors[0]].to_local(after[id].position[:2])
         aside = abs(left) > after[self.anchors[0]].size[1] / 2
-        return held and ahead < 0.0 and aside, f"{says}, {-ahead:.2f} m behind its middle"
+        at_end = -ahead >= HEAD * after[self.anchors[0]].size[0]
+        return held and at_end and aside, f"{says}, {-ahead:.2f} m behind its middle"
 
 
 @dataclass(frozen=True)
@@ -242,7 +245,10 @@ class DrawnUp(Related):
         """Both."""
         held, says = super().check(before, after, id)
         there = measure(after, self.side, id, self.anchors)
-        return held and there.holds, f"{says}; {there.measured}"
+        table = after[self.anchors[0]]
+        ahead, left = table.to_local(after[id].position[:2])
+        at_side = {"in_front_of": ahead > 0, "behind": ahead < 0, "left_of": left > 0}.get(self.side, left < 0)
+        return held and there.holds and at_side, f"{says}; {there.measured}"
 
 
 @dataclass(frozen=True)

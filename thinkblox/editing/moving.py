@@ -44,7 +44,7 @@ from thinkblox.editing.goals import (
 from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
-from thinkblox.editing.rows import SAME_WAY, rows_of
+from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
 from thinkblox.editing.scattering import moved_to, scatter
 from thinkblox.editing.spots import (
     Pose,
@@ -186,7 +186,7 @@ def _row_to_wall(
     finder.about = ids[0]
     seen = {"far_wall": 180.0, "near_wall": 0.0}.get(noun.value)
     names = bound(places[0], work.scene[ids[0]].category, finder).anchors
-    gaze = things(work.scene, ids[0])[0].gaze
+    gaze = looks_to(work.scene, work.scene[ids[0]])
     found = [
         wall
         for wall in work.scene.room.walls
@@ -216,7 +216,7 @@ def _by_rows(work: Work, order: Order, ids: Sequence[str]) -> Order:
     rows = rows_of(work.scene, [work.scene[id] for id in ids]) if many and order.direction in _TO_FRONT else []
     if sum(len(row) > 1 for row in rows) < 2:
         return order
-    gaze = things(work.scene, rows[0][0].id)[0].gaze + (0.0 if order.direction == "forward" else 180.0)
+    gaze = looks_to(work.scene, rows[0][0]) + (0.0 if order.direction == "forward" else 180.0)
     sides = {name: math.degrees(math.atan2(y, x)) for name, (x, y, _) in ways_of(work.scene[ids[0]]).items()
              if name in COMPASS}  # fmt: skip
     side = min(sides, key=lambda name: turn_between(sides[name], gaze))
@@ -461,7 +461,7 @@ def _goals(
 ) -> list[Goal]:
     goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
     if order.there:
-        goals.append(At(finder.left_place(order.text), THERE))
+        goals.append(At(finder.left_place(order.text).position[:2], THERE))
     goals += [Elsewhere(LEFT)] if order.leaves else []
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):
@@ -736,7 +736,7 @@ def ways_of(placement: Placement) -> dict[str, Vec3]:
 def _way(work: Work, order: Order, placement: Placement) -> Vec3:
     """The unit vector of the direction of an order for one thing; of what is of a row by where it looks to."""
     if order.direction in _OF_ROW and any(phrase.noun.rows for phrase in order.things):
-        way = math.radians(things(work.scene, placement.id)[0].gaze + _OF_ROW[order.direction])
+        way = math.radians(looks_to(work.scene, placement) + _OF_ROW[order.direction])
         return (math.cos(way), math.sin(way), 0.0)
     return ways_of(placement)[order.direction]
 

@@ -78,6 +78,7 @@ class Order:
         slight: it is to be a little.
         seated: seats are pushed "in" to their table, or pulled "out".
         looks: what a thing is to look like: colours, materials, shapes.
+        ruled_out: what a thing is not to look like, and how its size is not to change.
         change: how the room is to change: "longer", "wider", ...
         times: by how many times; 0 where that is not said.
         room: it is about the whole room.
@@ -120,6 +121,7 @@ class Order:
     slight: bool = False
     seated: str = ""
     looks: list[str] = field(default_factory=list)
+    ruled_out: list[str] = field(default_factory=list)
     change: str = ""
     times: float = 0.0
     room: bool = False

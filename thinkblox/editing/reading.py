@@ -15,7 +15,7 @@ from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import reworded, uncontracted, with_ids, with_owners
+from thinkblox.editing.rewording import in_between, reworded, something_instead, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -83,7 +83,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
     read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
-    tokens = without_announcements(_without_commas(_included(reworded(with_owners(lexicon, read)))))
+    said = something_instead(reworded(with_owners(lexicon, read)))
+    tokens = without_announcements(_without_commas(_included(in_between(said))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -449,7 +450,7 @@ class _OrderReader:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
         order = self.order
         placed = order.places or order.closer or order.direction or order.facing or any(p.places for p in order.things)
-        return not placed and bool(order.looks or order.change)
+        return not placed and bool(order.looks or order.ruled_out or order.change)
 
     def _adjective(self, said: Adjective) -> None:
         order, free = self.order, bool(means("clear", said.text.lower()))
@@ -470,6 +471,9 @@ class _OrderReader:
             order.things[:] = things
         elif (new := self._new_thing()) is not None and said.attributes and not said.unshown:
             new.attributes += said.attributes
+        elif order.doing in ("make", "put") and self._negated and said.attributes:
+            self._negated = False
+            order.ruled_out += said.attributes
         elif order.doing in ("make", "put") and order.things and said.attributes and not said.unshown:
             order.looks += said.attributes
         else:
@@ -526,6 +530,10 @@ class _OrderReader:
     def _change(self, mark: OrderMark) -> None:
         """Take how the size of a thing changes; of two ways the first is lost."""
         order = self.order
+        if self._negated:
+            self._negated = False
+            order.ruled_out.append(mark.key)
+            return
         absolute = mark.sort == "absolutes" and order.lengths
         if order.change and not absolute and order.change.removesuffix("=") != mark.key:
             order.lost.append(order.change.removesuffix("="))
@@ -561,6 +569,8 @@ class _OrderReader:
         elif last is not None and last.noun is not None and last.noun.kind == "thing":
             several = last.noun.many or last.noun.each
             last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
+        elif phrase is not None and phrase.noun.kind == "pronoun" and phrase.noun.value == "them":
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
         elif phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
@@ -607,7 +617,10 @@ class _OrderReader:
         order = self.order
         if order.doing == "turn" and order.turn is None:
             order.turn, self._around = 180.0, True
-        elif order.doing == "make":
+        elif order.doing == "make" and self._negated:
+            self._negated = False
+            order.ruled_out.append("round")
+        elif order.doing == "make" or (order.doing == "put" and order.looks):
             order.looks.append("round")
         elif order.doing != "swap":
             order.lost.append("round")
@@ -1129,7 +1142,7 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
-        if self._is_on_new(where) or self._is_like_those(where):
+        if self._is_on_new(where) or self._is_on_what_bears(where) or self._is_like_those(where):
             return
         order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
@@ -1153,6 +1166,12 @@ class _OrderReader:
         new = order.doing in ("add", "put", "ensure") and along and bool(order.things)
         it = noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them", "each")
         return new and it and where.word in ("on", "on_top") and not order.things[-1].noun.definite
+
+    def _is_on_what_bears(self, where: Where) -> bool:
+        """Whether it is the end of "(keep) the sideboard with the vase on it", which is told by that."""
+        said = self.order.things[-1].places[-1:] if self.order.things else []
+        bears = bool(said) and said[0].word == "with" and said[0].noun is not None and said[0].noun.kind == "thing"
+        return bears and where.word in ("on", "on_top") and where.noun is not None and _is_it(where.noun)
 
     def _is_like_those(self, where: Where) -> bool:
         """Whether a new thing is to be "like the others", as it is anyway."""
@@ -1241,6 +1260,8 @@ class _OrderReader:
             walled = bool(self._anchors) and self._anchors[-1].kind == "place" and bool(self._former)
             if walled and "wall" in self._anchors[-1].value:
                 where.noun = self._former[-1]
+            elif self._anchors[-1:] and self._anchors[-1].value == "floor":
+                pass
             elif self._anchors:
                 where.noun = self._anchors[-1]
             elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
@@ -1390,7 +1411,8 @@ class _OrderReader:
         """Whether this is what rests on the thing itself: "the table and what is on it"."""
         things = self.order.things
         alone = where.noun is not None and _is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
-        return alone and bool(things) and things[-1].noun.kind == "thing" and self.order.doing in _ON_KNOWN
+        told = self.order.rest if self.order.doing == "keep" else self.order.doing in _ON_KNOWN
+        return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
     def _of_result(self, where: Where) -> None:
         """Read "so that it is next to the bed", "so that nothing stands in the centre", "so there is room in it"."""
@@ -1398,6 +1420,9 @@ class _OrderReader:
         apart = where.word == "between" and where.second is not None and where.noun is not None and _is_it(where.noun)
         if apart and self.order.lengths and where.second is not None:
             self.order.apart.append((self.order.lengths.pop()[0], NounPhrase(where.second, id=where.second.id)))
+            return
+        if said is not None and said.kind == "part" and said.value in (*_SIDED, *_IN_ROW, "front"):
+            self.order.lost.append(f"{said.text} {where.text} {where.noun.text if where.noun else ''}".strip())
             return
         kept_clear = said is None or said.kind in ("room", "abstract") or said.text.lower().startswith(("no", "more"))
         if kept_clear and where.noun is not None:

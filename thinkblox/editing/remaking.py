@@ -18,6 +18,8 @@ LEAST = 0.02
 """Least by which it differs then [m]."""
 _SENSES = {"longer": 1, "wider": 1, "deeper": 1, "larger": 1, "higher": 1,
            "shorter": -1, "narrower": -1, "smaller": -1, "lower": -1}  # fmt: skip
+_EVEN = frozenset(("round", "circular", "square", "hexagonal", "octagonal"))
+"""Outlines that are as deep as they are wide."""
 _AXES = {"longer": "length", "shorter": "length", "wider": "width", "narrower": "width", "deeper": "depth",
          "higher": "height", "lower": "height"}  # fmt: skip
 
@@ -88,6 +90,7 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
     sides = {"depth": deep, "width": wide, "height": high}
     change, absolute = order.change.removesuffix("="), order.change.endswith("=")
     long = "depth" if deep > wide else "width"
+    even = bool(_shapes(order.looks or old.attributes) & _EVEN)
     change = "lower" if change == "shorter" and high > max(deep, wide) else change
     for metres, axis in order.lengths or ([(0.0, "")] if change else []):
         named = axis or _AXES.get(change, "")
@@ -100,6 +103,9 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
             sides[side] = _changed(
                 sides[side], metres, change, absolute=absolute or not change, order=order, factor=factor
             )
+            across = "width" if side == "depth" else "depth"
+            if even and side != "height" and not any(axis == across for _, axis in order.lengths):
+                sides[across] = sides[side]
     wanted = (sides["depth"], sides["width"], sides["height"])
     return _possible(work, old, wanted, said=bool(order.lengths or order.times))
 

@@ -14,7 +14,12 @@ from thinkblox.editing.wheres import bound, named, slots_of, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.scene import Scene
 
+IN_CORNER = 0.3
+"""How much further from a corner than the nearest of several another may be that stands in it too [m]."""
 _RESTS = ("on", "from", "in", "inside", "on_top")
 
 
@@ -133,11 +138,23 @@ def _there(work: Work, finder: Finder, where: Where, ids: Sequence[str]) -> list
         carriers = finder.ids(NounPhrase(where.noun))
         return [id for id in ids if set(work.scene.carriers(id)) & set(carriers)]
     there = {c: bound(where, c, finder) for c in {work.scene[id].category for id in ids}}
-    return [
+    held = [
         id
         for id in ids
         if id not in there[work.scene[id].category].anchors and there[work.scene[id].category].holds(work.scene, id)
     ]
+    corner = next((b.anchors for b in there.values() if b.kind == "in_corner" and not b.negated), ())
+    return _foremost_in_corner(work.scene, held, corner) if held and corner else held
+
+
+def _foremost_in_corner(scene: Scene, ids: Sequence[str], walls: Sequence[str]) -> list[str]:
+    """Those of what is near to a corner that stand in it, not behind what does, with what rests on them."""
+    marks = [m for m in corners(scene.room) if set(walls) <= {*m.name.removeprefix("corner of ").split(" and ")}]
+    base = {id: (id, *scene.carriers(id))[-1] for id in ids}
+    away = {
+        id: min(ground_gap(things(scene, base[id])[0], mark) for mark in marks or things(scene, "corner")) for id in ids
+    }
+    return [id for id in ids if away[id] <= min(away.values()) + IN_CORNER]
 
 
 def clear(work: Work, finder: Finder, order: Order) -> None:

@@ -13,7 +13,7 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
-from thinkblox.editing.remaking import MORE, compared, otherwise
+from thinkblox.editing.remaking import MORE, compared, looks_of, otherwise
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import Bound, bound, named
@@ -73,7 +73,7 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
     for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
         for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
-                there: list[Goal] = [At(finder.vacated, NEW_PLACE)] if finder.vacated is not None else []
+                there: list[Goal] = [At(finder.vacated.position[:2], NEW_PLACE)] if finder.vacated is not None else []
                 add_one(work, category_of(work, noun, ()), noun, there)
             elif noun is not first:
                 finder.scene = work.scene
@@ -206,12 +206,31 @@ def _otherwise(work: Work, old: Asset, new: Noun) -> Asset:
 def _compared(work: Work, old: Asset, category: str, new: Noun, factor: float) -> Asset:
     """What is larger, taller, ... than the old one, as is said."""
     if category == old.category:
-        made = compared(work, old, new.degree, factor)
+        made = _compared_by_size(work, old, new) if new.size else compared(work, old, new.degree, factor)
         return _otherwise(work, made, new) if new.attributes else made
     usual = work.source.make(category, seed=style_seed(work.scene), attributes=tuple(new.attributes))
     least, most = work.source.size_range(category)
     start = [min(max(o, a), b) for o, a, b in zip(old.size, least, most, strict=True)]
     return compared(work, work.source.fit(usual, (start[0], start[1], start[2])), new.degree, factor)
+
+
+def _compared_by_size(work: Work, old: Asset, new: Noun) -> Asset:
+    """What is "a longer one, 1.8 m": of just that length.
+
+    Raises:
+        InputError: it is not made so, or would not be longer.
+    """
+    lengths = [(length.metres, length.axis) for length in new.size.lengths] if new.size is not None else []
+    if len(lengths) == 1:
+        change = means("comparatives", new.degree)
+        made = otherwise(work, old, Order("make", new.text, lengths=lengths, change=f"{change}="))
+    else:
+        size = object_size(old.category, new.size)
+        deep, wide, high = (said or own for said, own in zip(size, old.size, strict=True))
+        made = of_size(work.source.fit(old, (deep, wide, high)), size)
+    if (sum(made.size) > sum(old.size)) != (sum(compared(work, old, new.degree).size) > sum(old.size)):
+        raise InputError(f"'{new.text}': that is not {new.degree} than it is, {looks_of(old)}")
+    return made
 
 
 def _place_of(work: Work, id: str) -> list[Bound]:
@@ -296,10 +315,15 @@ def _replace_riders(work: Work, id: str, off: Sequence[Placement], before: Scene
 
 
 def _same_place(scene: Scene, id: str, asset: Asset, reach: float) -> Iterator[Pose]:
-    """Where the old one stands, by its back; then the nearest places that are free, at a wall where that is at one."""
+    """Where the old one stands, by its back; then the nearest places that are free, at a wall where that is at one.
+
+    What stands partly under the old one, as a seat that is drawn up to it, may also stand under the new one.
+    """
     new = scene.apply(Replace(id=id, asset=asset))[id]
     yield new.position, new.yaw
-    empty = without(scene, (rider.id for rider in scene.riders(id)))
+    under = [p.id for p in scene.placements if p.id != id and p.footprint.intersection(scene[id].footprint).area > 0.0]
+    off = {rider.id for rider in scene.riders(id)}
+    empty = without(scene, {*off, *(i for i in under if scene[i].support == scene[id].support)})
     if at_wall(scene, id) and asset.mount == "floor":
         yield from along_walls(without(empty, [id]), asset, scene[id].position[:2], reach)
     for near in nearest_poses(empty, asset, new):

@@ -19,6 +19,9 @@ _NUMBER = re.compile(r" (?:no|nr|number)$", re.I)
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _RANGE = re.compile(r"\b([a-z]+s) ([0-9]{1,3}) ?(?:to|through|-|–) ?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
+_BREAKS = (",", ";", ".", "!")
+MOST_NAMED = 8
+"""Most words of a thing that is to be in between others."""
 _ARTICLES = ("the", "my", "our", "your", "this", "that", "each", "every")
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
 """After a number that is an angle or a share."""
@@ -43,6 +46,37 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         left += [replace(token, start=-1) for token in more]
         at += found[1]
     return left
+
+
+def in_between(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(the armchairs) with the table in between" as "and put the table between them"."""
+    left = list(tokens)
+    for at in reversed(range(len(tokens) - 1)):
+        if (tokens[at].text, tokens[at + 1].text) != ("in", "between"):
+            continue
+        begin = next((n for n in range(at - 1, max(at - MOST_NAMED, -1), -1) if left[n].text == "with"), None)
+        if begin is None or any(left[n].kind == "mark" for n in range(begin, at)):
+            continue
+        between = [replace(token, start=-1) for token in tokenise("between them")]
+        between[0] = replace(between[0], shown=f"{tokens[at].shown} {tokens[at + 1].shown}", start=tokens[at].start)
+        put = Token("put", "put", "word", start=-1)
+        left[at : at + 2] = between
+        left[begin : begin + 1] = [replace(left[begin], text="and", shown="and"), put]
+    return left
+
+
+def something_instead(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "no lamp; two candles instead" as "remove the lamp; add two candles"."""
+    if len(tokens) < 3 or tokens[0].text != "no" or tokens[1].kind != "word" or longest("fillers", tokens, 0):
+        return list(tokens)
+    end = next((n for n, token in enumerate(tokens) if token.text in _BREAKS), len(tokens))
+    later = next((n for n in range(end + 1, len(tokens)) if tokens[n].text == "instead"), None)
+    verbs = any(longest("verbs", tokens, n) is not None for n in (1, min(end + 1, len(tokens) - 1)))
+    if verbs or later is None:
+        return list(tokens)
+    remove, the, add = (Token(word, word, "word", start=-1) for word in ("remove", "the", "add"))
+    first = [replace(remove, shown=tokens[0].shown, start=tokens[0].start), the, *tokens[1:end]]
+    return [*first, replace(tokens[end], text=";"), add, *tokens[end + 1 : later], *tokens[later + 1 :]]
 
 
 def with_owners(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:

@@ -24,12 +24,18 @@ SAME_WAY = 20.0
 """How far the gazes of things of one row may differ [degrees]."""
 
 
+def looks_to(scene: Scene, placement: Placement) -> float:
+    """Where one looks who uses a thing, or what it rests on: the lamp on a desk is in the row of the desk [degrees]."""
+    carriers = scene.carriers(placement.id)
+    return things(scene, carriers[-1] if carriers else placement.id)[0].gaze
+
+
 def rows_of(scene: Scene, found: Sequence[Placement]) -> list[list[Placement]]:
     """The rows that things form across the way that they look, the front one first.
 
     What looks another way than most of them belongs to none.
     """
-    gazes = {p.id: things(scene, p.id)[0].gaze for p in found}
+    gazes = {p.id: looks_to(scene, p) for p in found}
     same = {p.id: [q for q in found if turn_between(gazes[p.id], gazes[q.id]) <= SAME_WAY] for p in found}
     alike = max(same.values(), key=len, default=[])
     if not alike:

@@ -94,7 +94,10 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     if goal.kind == "above" and asset.mount == "ceiling" and name in scene:
         yield (*scene[name].position[:2], scene.room.height - asset.size[2]), scene[name].yaw
         return
-    if name not in scene:
+    if name not in scene and asset.mount == "wall" and goal.kind in ("left_of", "right_of"):
+        for opening in (o for o in scene.room.openings if name in (o.id, o.kind)):
+            yield from _hanging_beside(scene, asset, opening, goal.kind)
+    elif name not in scene:
         yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
     elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
         yield from _on_top(scene, asset, scene[name])
@@ -125,6 +128,16 @@ def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
             pose: Pose = (round(x, 4), round(y, 4), height), wall.yaw
             if not hides_opening(scene, asset, wall, pose):
                 yield pose
+
+
+def _hanging_beside(scene: Scene, asset: Asset, opening: Opening, kind: str) -> Iterator[Pose]:
+    """At eye height on the wall beside a door or window, the nearest first."""
+    height = round(max(0.0, min(EYE - asset.size[2] / 2, scene.room.height - asset.size[2])), 4)
+    for (x, y, _), yaw in _beside_opening(scene, asset, opening, kind):
+        wall = scene.room.walls[opening.wall]
+        along, _ = wall.coordinates((x, y))
+        x, y = wall.point(along, BACK_GAP + asset.size[0] / 2)
+        yield (round(x, 4), round(y, 4), height), yaw
 
 
 def hides_opening(scene: Scene, asset: Asset, wall: Wall, pose: Pose) -> bool:

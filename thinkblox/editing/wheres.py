@@ -280,7 +280,7 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
     if whole.kind == "place":
         if whole.value not in _OPENINGS or not things(finder.scene, whole.value):
             raise InputError(f"'{_text(where)}' is no place that a thing can be put")
-        names = [mark.name for mark in things(finder.scene, whole.value)]
+        names = [mark.name for mark in things(finder.scene, opening_named(finder.scene, whole))]
         return [Bound(kind, (name,)) for name in names for kind in ("left_of", "right_of")]
     anchors = finder.ids(NounPhrase(whole, id=whole.id))
     bounds: list[Bound] = []
@@ -315,6 +315,8 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     noun = where.noun
     if noun is None:
         return None
+    if noun.kind == "people":
+        return _thing(where, _thing_of(noun, finder), category, finder, picks)
     if noun.kind == "room":
         return Bound("facing", of_room=True) if where.word in ("facing", "to", "near", "at", "opposite") else None
     if noun.kind == "part":
@@ -324,6 +326,20 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     return _thing(where, noun, category, finder, picks)
 
 
+def _thing_of(noun: Noun, finder: Finder) -> Noun:
+    """The desk or table of somebody: of "the teacher" what is called the teacher's, or else would be.
+
+    Raises:
+        InputError: none is somebody's in this room.
+    """
+    owner, scene = noun.word, finder.scene
+    worked_at = [p for p in scene.placements if facts_of(p.category).is_in("desks", "tables", "counters")]
+    called = [p for p in worked_at if scene.asset_of(p).name.lower().startswith((f"{owner}'s ", f"{owner} "))]
+    if len(called) == 1:
+        return Noun("thing", called[0].category, 0, 0, noun.text, det="the", id=called[0].id)
+    raise InputError(f"'{noun.text}': nothing in the room is known to be of one; name a thing, such as a desk")
+
+
 def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | None:
     """To the left of the sofa, at the foot of the bed, in the middle of the table or of the room."""
     whole = where.whole or (Noun("thing", noun.owner, 0, 0, noun.owner) if noun.owner else None)
@@ -331,7 +347,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
-            return Bound(cast(RelationKind, f"{noun.value}_of"), (whole.value,), where.negated)
+            kind = cast(RelationKind, f"{noun.value}_of")
+            return Bound(kind, (opening_named(finder.scene, whole),), where.negated)
         if noun.value == "middle" and whole is not None and whole.kind == "place":
             return _middle_of(where, whole, finder)
         if noun.value == "middle":
@@ -836,7 +853,8 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
             if phrase.noun.kind == "number" and of is not None:
                 noun = dataclasses.replace(of, det="the", count=phrase.noun.count, plural=(phrase.noun.count or 1) > 1)
                 phrase = dataclasses.replace(phrase, noun=noun)
-            out = _spoken_of(finder, phrase, ids) or _named(finder, phrase, phrase.places, ())
+            out = _spoken_of(finder, phrase, ids) or _of_them(finder, phrase, ids, of)
+            out = out or _named(finder, phrase, phrase.places, ())
             ids = [id for id in ids if id not in out]
     return tuple(ids)
 
@@ -847,6 +865,15 @@ def _spoken_of(finder: Finder, phrase: NounPhrase, ids: Sequence[str]) -> tuple[
     bare = noun.kind == "thing" and noun.definite and not (phrase.places or phrase.id or noun.id or noun.many)
     among = [p for p in finder.matching(noun) if p.id in ids] if bare else []
     return (among[0].id,) if len(among) == 1 else ()
+
+
+def _of_them(finder: Finder, phrase: NounPhrase, ids: Sequence[str], of: Noun | None) -> tuple[str, ...]:
+    """Which of some objects a phrase of the same kind excepts by its side, number or size: "the left one" of them."""
+    noun = phrase.noun
+    told = noun.side or noun.ordinal or phrase.rank or noun.degree
+    if of is None or noun.kind != "thing" or noun.value != of.value or phrase.places or noun.rows or not told:
+        return ()
+    return finder.ids(phrase, among=[finder.scene[id] for id in ids])
 
 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
@@ -867,6 +894,9 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
             found = [
                 finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
             ]
+            continue
+        if where.word == "with" and where.noun is not None and where.noun.kind == "thing":
+            found = _bearing(finder, phrase, where.noun, found)
             continue
         if superlative := _by_what(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
@@ -903,6 +933,18 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
         says = ", ".join(finder.described(p) for p in found)
         raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
     return held
+
+
+def _bearing(finder: Finder, phrase: NounPhrase, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+    """Those on which something rests: "the sideboard with the vase".
+
+    Raises:
+        InputError: nothing of it rests on any of them.
+    """
+    carriers = {id for p in finder.matching(noun) for id in finder.scene.carriers(p.id)}
+    if bearing := [p for p in found if p.id in carriers]:
+        return bearing
+    raise InputError(f"there is no {phrase.noun.word} with {noun.text} on it; there {finder.listed()}")
 
 
 def _on_that_side(scene: Scene, found: Sequence[Placement], walls: Sequence[str]) -> list[Placement]:

@@ -254,6 +254,8 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
     )
     text = f"{subject.name} {'lower than' if lower else 'not lower than'} {anchor.name}, {share:.0%} shared"
+    if not lower and anchor.kind == "opening":
+        text = f"top of {subject.name} at {subject.top:.2f} m, sill of {anchor.name} at {anchor.base:.2f} m; {text}"
     return lower and share >= least, text
 
 

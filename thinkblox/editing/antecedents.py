@@ -1,0 +1,146 @@
+"""What pronouns stand for that the same instruction names: "those in the first row", "the other one", "around it"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.wheres import named
+from thinkblox.errors import InputError
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
+
+_STAYING = ("keep", "only")
+"""Orders that are looked at before anything is done, when nothing was spoken of yet."""
+_GOING = ("put", "move")
+_IT = ("pronoun", "it")
+_OF_SOME = ("remove", "replace", "make")
+"""Orders after which "keep them on the table" says which of them stay as they are."""
+
+
+def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
+    """The orders with the thing that was named before in place of a pronoun that says which of several is meant.
+
+    Raises:
+        InputError: nothing was named before that it could stand for.
+    """
+    orders = _others_moved(orders, finder)
+    head: Noun | None = None
+    mentions: list[Noun] = []
+    last = ""
+    for order in orders:
+        before, staying = head, order.doing in _STAYING
+        for phrase in order.things:
+            _of_head(phrase, before, by_place=staying and last in _OF_SOME, one=staying)
+            head = phrase.noun if phrase.noun.kind == "thing" else head
+            for spared in phrase.spared:
+                _of_head(spared, phrase.noun if phrase.noun.kind == "thing" else before, by_place=True)
+            mentions += [phrase.noun] if phrase.noun.kind == "thing" else []
+            for where in phrase.places:
+                _of_place(where, before, order, mentions, finder)
+                mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
+        for where in order.places:
+            _of_place(where, before, order, mentions, finder)
+            mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
+        last = order.doing
+    return orders
+
+
+def _others_moved(orders: Sequence[Order], finder: Finder) -> list[Order]:
+    """The orders without "one bin is enough on the shelf" before "put the other three on the floor", which says it too.
+
+    Raises:
+        InputError: there are not so many others.
+    """
+    left: list[Order] = []
+    for order in orders:
+        stays, others = left[-1] if left else None, [p for p in order.things if p.noun.det == "other"]
+        noun = stays.things[0].noun if stays is not None and len(stays.things) == 1 else None
+        counted = noun is not None and noun.kind == "thing" and bool(noun.count) and not noun.definite
+        bare = len(others) == len(order.things) == 1 and others[0].noun.kind in ("number", "pronoun")
+        if stays is None or noun is None or stays.doing not in _STAYING or order.doing not in _GOING:
+            left.append(order)
+            continue
+        if counted and bare:
+            left.pop()
+            _without_kept(others[0], stays.things[0], finder)
+            at = stays.things[0].places[-1].noun if stays.things[0].places else None
+            for where in others[0].places:
+                if at is not None and where.noun is not None and (where.noun.kind, where.noun.value) == _IT:
+                    where.noun = replace(at, det="the")
+        left.append(order)
+    return left
+
+
+def _without_kept(others: NounPhrase, kept: NounPhrase, finder: Finder) -> None:
+    """Let "the other three" be all but those that stay.
+
+    Raises:
+        InputError: there are not so many.
+    """
+    noun, said = kept.noun, others.noun
+    every = [p.id for p in finder.matching(replace(noun, plural=True, count=None))]
+    stay = named(finder, kept, kept.places)
+    rest = [id for id in every if id not in stay]
+    if not rest or (said.count and said.count != len(rest)):
+        raise InputError(f"'{said.text}': besides {', '.join(stay)} there is {', '.join(rest) or 'none'}")
+    others.noun = replace(noun, det="all", count=None, plural=True, text=f"the other {noun.text.partition(' ')[2]}")
+    others.spared = [NounPhrase(noun, id=id) for id in stay]
+
+
+def _nouns(where: Where) -> Iterator[Noun]:
+    yield from (noun for noun in (where.noun, where.whole, where.second) if noun is not None)
+
+
+def _of_head(phrase: NounPhrase, head: Noun | None, *, by_place: bool, one: bool = False) -> None:
+    """Read "those in the first row", "(keep) the one by the door" as things of the kind that was named last.
+
+    Args:
+        phrase: changed where it is such a pronoun.
+        head: what was named last.
+        by_place: where it is said to be tells which it is.
+        one: so does what "the one" says.
+
+    Raises:
+        InputError: nothing was named before.
+    """
+    noun = phrase.noun
+    them = noun.kind == "pronoun" and noun.value == "them" and noun.det != "other"
+    told = bool(noun.rows or (by_place and phrase.places))
+    number = one and noun.kind == "number" and not noun.rows and noun.det == "the"
+    if not (them and told) and not number:
+        return
+    if head is None:
+        raise InputError(f"'{noun.text}' points at nothing that was named before; name what you mean")
+    phrase.noun = replace(
+        head, det="the", plural=them or (noun.count or 1) > 1, count=noun.count, rows=noun.rows, ordinal=noun.ordinal,
+        side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
+    )  # fmt: skip
+
+
+def _of_place(where: Where, head: Noun | None, order: Order, mentions: Sequence[Noun], finder: Finder) -> None:
+    """Read "(keep the chairs) around it" as around what was named last, and "on the other one" as on another such."""
+    noun = where.noun
+    if noun is None or noun.kind != "pronoun":
+        return
+    if noun.value in ("it", "them") and order.doing in _STAYING and head is not None:
+        where.noun = replace(head, det="the", text=noun.text)
+    elif noun.det == "other" and (noun.count or 1) == 1 and not noun.text.lower().endswith(("others", "ones")):
+        where.noun = _other(noun, mentions, finder) or noun
+
+
+def _other(noun: Noun, mentions: Sequence[Noun], finder: Finder) -> Noun | None:
+    """The other one of that of which there are several, and which was named last; None where there is none."""
+    for mention in reversed(mentions):
+        kind = replace(mention, id="", side="", degree="", attributes=[], unshown=[], states=[], styles=[], ordinal=0,
+                       rows=0, det="other", plural=False, count=1, text=noun.text)  # fmt: skip
+        found = [p.id for p in finder.matching(kind)]
+        if len(found) < 2:
+            continue
+        try:
+            known = finder.ids(NounPhrase(mention, id=mention.id))
+        except InputError:
+            return kind
+        left = [id for id in found if id not in known]
+        return replace(kind, id=left[0]) if len(left) == 1 else kind
+    return None
