@@ -86,6 +86,24 @@ def podium(spec: Spec) -> Build:
     return Build(body=body, surfaces=[top])
 
 
+def altar(spec: Spec) -> Build:
+    """Return an altar: a slab on a block with a step, and a cloth that falls over its front."""
+    x, y, z = spec.size
+    stone = spec.main(spec.choice((MARBLE, CONCRETE, spec.style.wood)))
+    cloth, edge, thin = Finish((0.93, 0.92, 0.88), "fabric"), x / 2 - 0.008, 0.006
+    body = [
+        box(stone, around(0, 0.92 * x), around(0, 0.94 * y), (0, 0.08)),
+        box(stone, around(0, 0.72 * x), around(0, 0.8 * y), (0.08, z - 0.1)),
+        box(stone, (-x / 2, edge), (-y / 2, y / 2), (z - 0.1, z - thin)),
+        box(cloth, (-x / 2, x / 2), around(0, 0.6 * y), (z - thin, z)),
+        box(cloth, (edge, x / 2), around(0, 0.6 * y), (z - 0.34, z - thin)),
+        box(BRASS, (edge, x / 2), around(0, 0.6 * y), (z - 0.36, z - 0.34)),
+        box(stone, (-x / 2, edge), (0.3 * y, y / 2), (z - thin, z)),
+        box(stone, (-x / 2, edge), (-y / 2, -0.3 * y), (z - thin, z)),
+    ]
+    return Build(body=body, surfaces=[top_surface("top", (-x / 2, edge), (-y / 2, y / 2), z)])
+
+
 def fireplace(spec: Spec) -> Build:
     """Return a mantelpiece with logs and fire; "empty" without them."""
     x, y, z = spec.size
