@@ -220,6 +220,8 @@ def test_what_hangs_on_a_wall_lies_flat_against_it(name: str) -> None:
         ("wardrobe", ("3-doors",)),
         ("floor_cushion", ("round",)),
         ("monitor", ("ultrawide",)),
+        ("guitar", ("electric",)),
+        ("washbasin", ("double",)),
     ],
 )
 @pytest.mark.parametrize("seed", [1, 2, 3])
