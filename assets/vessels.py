@@ -34,6 +34,7 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.tubes import arc, tube
 from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2
 
@@ -189,19 +190,21 @@ def waste_bin(spec: Spec) -> Build:
 
 
 def umbrella_stand(spec: Spec) -> Build:
-    """Return a tall open cylinder, with two umbrellas unless it is "empty"."""
+    """Return a tall open cylinder, with two umbrellas that hang their crooks out unless it is "empty"."""
     x, y, z = spec.size
-    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.68 * z
+    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.62 * z
     body = hollow(spec.main(spec.style.metal), (0, 0), radius, rim, 0.96, 0.008)
     if spec.has("empty"):
         return Build(body=body, surfaces=[bottom(radius, rim, 0.96, 0.008)])
     for k, colour in enumerate(((0.20, 0.27, 0.38), (0.66, 0.28, 0.22))):
-        at = (0.3 * radius * (1 - 2 * k), 0.25 * radius)
+        s, crook = 1 - 2 * k, 0.28 * radius
+        foot, head = (0.4 * s * radius, -0.3 * s * radius), (0.3 * s * radius, 0.1 * s * radius)
+        top = z - 0.012 - 0.05 * k * z - crook
+        hook = arc((head[0], head[1] + s * crook, top), (crook, crook), (90.0 + 90.0 * s, 90.0 - 110.0 * s), axis=0)
         body += [
-            rod(
-                Finish(colour, "fabric"), (at[0], at[1], 0.02), (at[0] * 0.5, -at[1], 0.86 * z), 0.022, end_radius=0.03
-            ),
-            disc(spec.style.wood, (at[0] * 0.5, -at[1]), 0.012, (0.86 * z, z - 0.06 * k * z)),
+            rod(Finish(colour, "fabric"), (*foot, 0.02), (*head, 0.76 * z), 0.016, end_radius=0.034),
+            rod(Finish(colour, "fabric"), (*head, 0.76 * z), (*head, 0.8 * z), 0.034, end_radius=0.012),
+            *tube(spec.style.wood, [(*head, 0.78 * z), *hook], 0.011),
         ]
     return Build(body=body)
 
