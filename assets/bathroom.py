@@ -4,16 +4,32 @@ from itertools import pairwise
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
 from thinkblox.assets.mounting import PROPPED
-from thinkblox.assets.palette import CHROME, GLASS, KRAFT, PORCELAIN, WHITE_PLASTIC
+from thinkblox.assets.palette import CHROME, GLASS, GREY_METAL, KRAFT, PORCELAIN, STEEL, WHITE_PLASTIC
 from thinkblox.assets.part import Build, Finish, Part, Range, hull, moved
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, oval, prism, top_surface
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    cylinder,
+    disc,
+    ellipsoid,
+    inner_surface,
+    oval,
+    prism,
+    top_surface,
+)
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.worktop import tap
-from thinkblox.value import Vec3
+from thinkblox.value import Vec2, Vec3
 
 
 def bathtub(spec: Spec) -> Build:
-    """Return a bath with a real hollow, longest across its front; the tap is at its right end."""
+    """Return a bath with a real hollow, longest across its front; the tap is at its right end.
+
+    A "standing" one is an oval tub with a tap on a post beside it.
+    """
+    if spec.has("standing"):
+        return _standing_tub(spec)
     x, y, z = spec.size
     white, rim = spec.main(PORCELAIN), 0.07
     inner = ((-x / 2 + rim, x / 2 - rim), (-y / 2 + rim + 0.06, y / 2 - rim))
@@ -34,6 +50,41 @@ def bathtub(spec: Spec) -> Build:
         *(disc(CHROME, (s * 0.1, -y / 2 + 0.065), 0.022, (deep, deep + 0.035)) for s in (-1, 1)),
     ]
     return Build(body=body)
+
+
+def _standing_tub(spec: Spec) -> Build:
+    x, y, z = spec.size
+    white, post = spec.main(PORCELAIN), 0.09
+    tall, long, middle = z - 0.08, y - post, post / 2
+    rings = ((0.0, 0.74, 0.84), (0.5, 0.88, 0.92), (0.9, 0.95, 0.97), (1.0, 1.0, 1.0))
+    wall, floor = 0.05, 0.12
+    sides = 24
+    body: list[Part] = [prism(white, _ellipse(0.78 * x, 0.86 * long, middle, sides), (0.0, floor))]
+    for (a, ax, ay), (b, bx, by) in pairwise(rings):
+        low, high = _ellipse(ax * x, ay * long, middle, sides), _ellipse(bx * x, by * long, middle, sides)
+        inner = [_ellipse(sx * x - 2 * wall, sy * long - 2 * wall, middle, sides) for sx, sy in ((ax, ay), (bx, by))]
+        for k in range(sides):
+            ends = (k, (k + 1) % sides)
+            points = [
+                (*ring[e], h * tall)
+                for rings_at, h in (((low, inner[0]), a), ((high, inner[1]), b))
+                for ring in rings_at
+                for e in ends
+            ]
+            body.append(hull(white, points))
+    at = -y / 2 + 0.03
+    body += [
+        disc(CHROME, (0, at), 0.03, (0, 0.012)),
+        disc(CHROME, (0, at), 0.014, (0.012, z)),
+        box(CHROME, around(0, 0.022), (at, at + 0.2), (z - 0.022, z)),
+        disc(CHROME, (0, at + 0.19), 0.01, (z - 0.045, z - 0.02)),
+    ]
+    return Build(body=body)
+
+
+def _ellipse(x: float, y: float, middle: float, sides: int) -> list[Vec2]:
+    """An oval moved along y to its middle [m]."""
+    return [(a, b + middle) for a, b in oval(x, y, sides=sides, squareness=2.6)]
 
 
 def toilet(spec: Spec) -> Build:
@@ -64,7 +115,9 @@ def toilet(spec: Spec) -> Build:
 
 
 def washbasin(spec: Spec) -> Build:
-    """Return a basin on a cabinet with two doors, and a tap."""
+    """Return a basin on a cabinet with two doors, and a tap; a double one has two basins."""
+    if spec.has("double"):
+        return _double_vanity(spec)
     _, y, z = spec.size
     build = _basin_cabinet(spec, (-y / 2, y / 2), 2)
     rim = z - 0.13
@@ -126,6 +179,39 @@ def _basin(spec: Spec, basin: Range) -> list[Part]:
         disc(CHROME, (0.04, drain), 0.025, (rim - 0.08, rim - 0.077)),
         *(moved(part, (0.0, drain, 0.0)) for part in tap(-x / 2 + 0.06, rim, z)),
     ]
+
+
+def utility_sink(spec: Spec) -> Build:
+    """Return deep bowls on legs, each with a tap: of steel for a commercial sink, else of plastic."""
+    x, y, z = spec.size
+    shell = spec.main(STEEL if spec.category == "commercial_sink" else WHITE_PLASTIC)
+    rim, wall = z - 0.2, 0.025
+    low = rim - min(0.32, 0.4 * rim)
+    hollow, count = (-x / 2 + 0.11, x / 2 - wall), max(1, round(y / 0.65))
+    pitch = (y - wall) / count
+    floor = low + 0.02
+    body = [
+        box(shell, (-x / 2, x / 2), (-y / 2, y / 2), (low, floor)),
+        box(shell, (-x / 2, hollow[0]), (-y / 2, y / 2), (floor, rim)),
+        box(shell, (hollow[1], x / 2), (-y / 2, y / 2), (floor, rim)),
+        *(box(shell, hollow, around((k - count / 2) * pitch, wall), (floor, rim)) for k in range(count + 1)),
+        *(
+            box(GREY_METAL, around(s * (x / 2 - 0.04), 0.035), around(t * (y / 2 - 0.04), 0.035), (0, low))
+            for s in (-1, 1)
+            for t in (-1, 1)
+        ),
+        *(box(GREY_METAL, around(0, x - 0.08), around(t * (y / 2 - 0.04), 0.025), (0.16, 0.19)) for t in (-1, 1)),
+        box(GREY_METAL, around(-x / 2 + 0.04, 0.025), around(0, y - 0.08), (0.16, 0.19)),
+    ]
+    build = Build(body=body)
+    for k in range(count):
+        at = (k + 0.5 - count / 2) * pitch
+        build.body += [
+            disc(GREY_METAL, (0.03, at), 0.035, (floor, floor + 0.004)),
+            *(moved(part, (0.0, at, 0.0)) for part in tap(-x / 2 + 0.055, rim, z)),
+        ]
+        build.surfaces.append(inner_surface(f"basin {k + 1}", hollow, around(at, pitch - wall), floor))
+    return build
 
 
 def shower_cabin(spec: Spec) -> Build:

@@ -62,10 +62,17 @@ class Companion:
 
 @dataclass(frozen=True, kw_only=True)
 class RowGaps:
-    """Free distances where several stand in rows, the best first [m]: to the neighbour, and to the next row."""
+    """How several stand in rows.
+
+    Attributes:
+        beside: free distance to the neighbour, the best first [m].
+        aisle: free distance to the next row, the best first [m].
+        abreast: how many form a row where nobody says so; 0 where that depends on how many there are.
+    """
 
     beside: tuple[float, ...] = (0.08, 0.03)
     aisle: tuple[float, ...] = (1.0, 0.8)
+    abreast: int = 0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,7 +99,7 @@ class Facts:
         gaps: free distance to what it stands beside or before, the best first [m].
         tucks: how far it goes under the table it is drawn up to, the best first; negative leaves a gap [m].
         viewing: free distance to what it looks at, the best first [m].
-        row: free distances in rows.
+        row: how several stand in rows.
         run: what it forms a row along a wall with, side by side; a name that its company shares.
         uses: floor that people need around it, where its clearance does not say enough.
         forms: words for the variant in which it "holds", "carries" or stands "over" other things, or is itself "inside"

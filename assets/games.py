@@ -3,6 +3,7 @@
 from math import cos, sin
 
 from thinkblox.assets.palette import (
+    BEECH,
     BLACK_PLASTIC,
     CHROME,
     DARK_PLASTIC,
@@ -10,6 +11,7 @@ from thinkblox.assets.palette import (
     FELT,
     GREY_METAL,
     IRON,
+    PAPER,
     WALNUT,
     WHITE_PLASTIC,
 )
@@ -307,6 +309,8 @@ def wall_guitar(spec: Spec) -> Build:
 
 def _guitar(spec: Spec) -> list[Part]:
     """A guitar standing upright, its strings to +x."""
+    if spec.has("electric"):
+        return _electric_guitar(spec)
     _, y, z = spec.size
     top, dark = spec.main(Finish((0.76, 0.50, 0.26), "wood")), WALNUT
     parts: list[Part] = []
@@ -320,6 +324,32 @@ def _guitar(spec: Spec) -> list[Part]:
         box(EBONY, (0.05, 0.06), around(0, 0.16), around(0.27 * z, 0.025)),
     ]
     return parts
+
+
+def _electric_guitar(spec: Spec) -> list[Part]:
+    """The same with a thin solid body with two horns, pickups and a plate."""
+    _, y, z = spec.size
+    lacquer = spec.main(Finish(spec.choice(((0.62, 0.12, 0.12), (0.10, 0.10, 0.11), (0.24, 0.44, 0.56))), "plastic"))
+    neck, thick = spec.choice((BEECH, WALNUT)), (-0.022, 0.022)
+    lower = [(a, b + 0.24 * z) for a, b in oval(y, 0.3 * z, sides=24, squareness=2.4)]
+    waist = [(-0.34 * y, 0.26 * z), (0.34 * y, 0.26 * z), (0.32 * y, 0.44 * z), (-0.32 * y, 0.44 * z)]
+    horns = [
+        [(s * 0.08 * y, 0.3 * z), (s * 0.36 * y, 0.3 * z), (s * 0.46 * y, (tip - 0.02) * z), (s * 0.4 * y, tip * z)]
+        for s, tip in ((-1, 0.47), (1, 0.5))
+    ]
+    plate = [(-0.3 * y, 0.2 * z), (0.1 * y, 0.18 * z), (0.24 * y, 0.42 * z), (-0.28 * y, 0.44 * z)]
+    return [
+        *(prism(lacquer, outline, thick, axis=0) for outline in (lower, waist, *horns)),
+        prism(PAPER, plate, (0.022, 0.025), axis=0),
+        box(neck, (0.012, 0.036), around(0, 0.05), (0.4 * z, 0.88 * z)),
+        prism(neck, [(-0.04, 0.88 * z), (0.025, 0.88 * z), (0.045, z), (-0.03, z)], (0.01, 0.026), axis=0),
+        *(box(BLACK_PLASTIC, (0.022, 0.034), around(0, 0.085), around(h * z, 0.03)) for h in (0.27, 0.36)),
+        box(CHROME, (0.022, 0.036), around(0, 0.09), around(0.19 * z, 0.025)),
+        *(
+            cylinder(CHROME, (0.022, 0.036), around(-0.32 * y, 0.024), around(h * z, 0.024), axis=0)
+            for h in (0.17, 0.22)
+        ),
+    ]
 
 
 _THRONE = 0.5

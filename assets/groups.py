@@ -46,6 +46,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "watched": "still looks for those who watch it where it is only said to be on the wall",
         "played_around": "needs wide floor all around for a game",
         "lined_up": "stands in rows with seats behind",
+        "attended": "seats in rows look at it where there is no board",
         "built_in_line": "is built in one line along a wall with the others of its run",
         "visits": "those sit on it who are received across a desk",
         "visited": "people are received across it by who works at it",

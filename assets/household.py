@@ -162,10 +162,10 @@ def vacuum_robot(spec: Spec) -> Build:
 
 
 def fan(spec: Spec) -> Build:
-    """Return a standing fan, or one on an arm from the wall."""
+    """Return a standing fan, a low one for a table, or one on an arm from the wall."""
     x, y, z = spec.size
     hangs = spec.has(WALL_MOUNTED)
-    size, shell = min(y, z if hangs else 0.42 * z), spec.main(WHITE_PLASTIC)
+    size, shell = min(y, z if hangs else 0.42 * z if z > 0.7 else 0.74 * z), spec.main(WHITE_PLASTIC)
     mid = z - size / 2
     body: list[Part] = [
         disc(shell, (0, 0), min(x, y) / 2 * 0.95, (0, 0.03)),

@@ -47,6 +47,35 @@ def whiteboard(spec: Spec) -> Build:
     return Build(body=body)
 
 
+_SEA, _LAND = Finish((0.70, 0.83, 0.89), "paper"), ((0.62, 0.72, 0.45), (0.88, 0.76, 0.48), (0.80, 0.56, 0.42))
+_LANDS = (
+    ((-0.45, 0.84), (-0.2, 0.88), (-0.15, 0.74), (-0.29, 0.56), (-0.36, 0.62)),
+    ((-0.36, 0.62), (-0.29, 0.58), (-0.23, 0.48), (-0.26, 0.48)),
+    ((-0.28, 0.5), (-0.14, 0.42), (-0.2, 0.22), (-0.25, 0.14), (-0.26, 0.34)),
+    ((-0.16, 0.92), (-0.06, 0.91), (-0.12, 0.78)),
+    ((-0.06, 0.66), (0.1, 0.66), (0.1, 0.86), (0.02, 0.87)),
+    ((-0.08, 0.6), (0.08, 0.6), (0.14, 0.48), (0.08, 0.24), (0.04, 0.24), (-0.07, 0.46)),
+    ((0.1, 0.62), (0.1, 0.88), (0.44, 0.88), (0.38, 0.66), (0.28, 0.5), (0.2, 0.5)),
+    ((0.28, 0.32), (0.4, 0.36), (0.44, 0.24), (0.31, 0.21)),
+)
+"""Outlines of the lands of the earth, in shares of the width from its middle and of the height of a map."""
+
+
+def wall_map(spec: Spec) -> Build:
+    """Return a map of the world that hangs from a rod, with another at its foot."""
+    x, y, z = spec.size
+    wood, bar = spec.main(spec.style.wood), min(x, 0.03)
+    skin = (0.2 * x, 0.2 * x + 0.0008)
+    body = [
+        *(box(wood, (-x / 2, x / 2), (-y / 2, y / 2), level) for level in ((0, bar), (z - bar, z))),
+        box(_SEA, (-0.2 * x, 0.2 * x), around(0, 0.97 * y), (bar, z - bar)),
+    ]
+    for k, land in enumerate(_LANDS):
+        patch = prism(Finish(_LAND[k % 3], "paper"), [(u * y, v * z) for u, v in land], skin, axis=0)
+        body.append(replace(patch, collide=False))
+    return Build(body=body)
+
+
 def screen(spec: Spec) -> Build:
     """Return a projection screen under its housing, or a flat display when the category says so."""
     x, y, z = spec.size

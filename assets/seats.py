@@ -19,10 +19,12 @@ def chair(spec: Spec) -> Build:
     x, y, z = spec.size
     seat = _seat_height(z)
     kind = "shell" if spec.has("school", "plastic") else spec.choice(("slats", "upholstered", "slats", "shell"))
+    kind = "upholstered" if spec.has("leather", "fabric", "upholstered") else kind
     frame = spec.style.metal if kind == "shell" and spec.has("school") else spec.wood
     build = Build(surfaces=[top_surface("seat", (-x / 2 + 0.09, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), seat)])
     build.body = _chair_frame(spec, frame, seat, _THICKNESS[kind], posts=kind == "slats")
-    cover = spec.main(spec.style.accent if kind == "upholstered" else spec.style.wood)
+    cover = spec.fabric if spec.has("leather") else spec.main(spec.style.accent)
+    cover = cover if kind == "upholstered" else spec.main(spec.style.wood)
     if kind == "upholstered":
         build.body += [
             cushion(cover, (-x / 2 + 0.02, x / 2), (-y / 2, y / 2), (seat - 0.07, seat), radius=0.025),

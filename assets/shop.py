@@ -16,7 +16,7 @@ from thinkblox.assets.palette import (
     SOIL,
     STEEL,
 )
-from thinkblox.assets.part import Build, Finish, Part, hull, turned
+from thinkblox.assets.part import Build, Finish, Part, Range, hull, turned
 from thinkblox.assets.plants import kept_inside, leaf
 from thinkblox.assets.shapes import (
     around,
@@ -84,6 +84,24 @@ def podium(spec: Spec) -> Build:
     ]
     top = top_surface("desk", (-0.4 * x, 0.1 * x), around(0, 0.9 * y), z - 0.13)
     return Build(body=body, surfaces=[top])
+
+
+def altar(spec: Spec) -> Build:
+    """Return an altar: a slab on a block with a step, and a cloth that falls over its front."""
+    x, y, z = spec.size
+    stone = spec.main(spec.choice((MARBLE, CONCRETE, spec.style.wood)))
+    cloth, edge, thin = Finish((0.93, 0.92, 0.88), "fabric"), x / 2 - 0.008, 0.006
+    body = [
+        box(stone, around(0, 0.92 * x), around(0, 0.94 * y), (0, 0.08)),
+        box(stone, around(0, 0.72 * x), around(0, 0.8 * y), (0.08, z - 0.1)),
+        box(stone, (-x / 2, edge), (-y / 2, y / 2), (z - 0.1, z - thin)),
+        box(cloth, (-x / 2, x / 2), around(0, 0.6 * y), (z - thin, z)),
+        box(cloth, (edge, x / 2), around(0, 0.6 * y), (z - 0.34, z - thin)),
+        box(BRASS, (edge, x / 2), around(0, 0.6 * y), (z - 0.36, z - 0.34)),
+        box(stone, (-x / 2, edge), (0.3 * y, y / 2), (z - thin, z)),
+        box(stone, (-x / 2, edge), (-y / 2, -0.3 * y), (z - thin, z)),
+    ]
+    return Build(body=body, surfaces=[top_surface("top", (-x / 2, edge), (-y / 2, y / 2), z)])
 
 
 def fireplace(spec: Spec) -> Build:
@@ -278,6 +296,66 @@ def _shown(spec: Spec, width: float, base: float, most: float) -> list[Part]:
         parts.append(
             box(Finish(colour, "paper"), around(-0.25 * spec.size[0], 0.05), around(at, wide), (base, base + tall))
         )
+    return parts
+
+
+def pastry_case(spec: Spec) -> Build:
+    """Return a glass case of cakes and pastries on two levels: low for a counter, or on a closed base."""
+    x, y, z = spec.size
+    shell = spec.wood if z > 0.8 else spec.main(STEEL)
+    low, pane = 0.46 * z if z > 0.8 else 0.12 * z, 0.008
+    middle, roof = (low + z) / 2, z - 0.02
+    tray, shelf = (around(0, x - 0.06), around(0, y - 0.06)), ((-x / 2 + 0.03, 0.12 * x), around(0, y - 0.06))
+    body = [
+        box(IRON, around(0, x - 0.06), around(0, y - 0.06), (0, 0.3 * low)),
+        box(shell, (-x / 2, x / 2), (-y / 2, y / 2), (0.3 * low, low)),
+        box(PAPER, *tray, (low, low + 0.006)),
+        box(STEEL, *shelf, (middle - 0.01, middle)),
+        *(box(GLASS, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - pane)), (low, roof)) for s in (-1, 1)),
+        box(GLASS, (x / 2 - pane, x / 2), around(0, y - 2 * pane), (low, roof)),
+        *(box(STEEL, (-x / 2, -x / 2 + 0.02), around(s * (y / 2 - 0.02), 0.02), (low, roof)) for s in (-1, 1)),
+        box(shell, (-x / 2, x / 2), (-y / 2, y / 2), (roof, z)),
+    ]
+    levels = ((tray, low + 0.006, middle - low - 0.016), (shelf, middle, roof - middle))
+    if not spec.has("empty"):
+        body += [part for area, level, room in levels for part in _pastries(spec, area, level, 0.7 * room)]
+    return Build(
+        body=body,
+        surfaces=[
+            top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z),
+            *(
+                inner_surface(name, *area, level, headroom=room)
+                for name, (area, level, room) in zip(("tray", "shelf"), levels, strict=True)
+            ),
+        ],
+    )
+
+
+def _pastries(spec: Spec, area: tuple[Range, Range], level: float, most: float) -> list[Part]:
+    """Cakes and loaves by turns in a line along an area, no higher than `most` [m]."""
+    depth, width = (high - low for low, high in area)
+    at, parts = sum(area[0]) / 2, list[Part]()
+    count = max(2, int(width / 0.26))
+    radius, first = min(0.36 * width / count, 0.44 * depth), int(spec.rng.integers(2))
+    for k in range(count):
+        middle, tall = (k + 0.5) * width / count - width / 2, min(most, spec.between(0.08, 0.12))
+        if (k + first) % 2:
+            icing = Finish(spec.choice(((0.95, 0.90, 0.82), (0.45, 0.28, 0.18), (0.93, 0.72, 0.74))), "plastic")
+            parts += [
+                disc(icing, (at, middle), radius, (level, level + 0.85 * tall)),
+                disc(Finish((0.76, 0.18, 0.18), "plastic"), (at, middle), 0.16 * radius, (level, level + tall)),
+            ]
+        else:
+            crust = Finish(spec.choice(((0.80, 0.58, 0.33), (0.72, 0.46, 0.24), (0.88, 0.70, 0.42))), "fabric")
+            parts += [
+                cushion(
+                    crust,
+                    around(at + s * 0.5 * radius, 0.8 * radius),
+                    around(middle, 1.7 * radius),
+                    (level, level + 0.6 * tall),
+                )
+                for s in (-1, 1)
+            ]
     return parts
 
 

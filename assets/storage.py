@@ -9,7 +9,7 @@ from thinkblox.assets.goods import is_filled, put_goods
 from thinkblox.assets.open_forms import lidded
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
-from thinkblox.assets.shapes import around, box, cylinder, prism, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tables import is_round, side_table
 from thinkblox.scene.asset import Joint
@@ -234,6 +234,31 @@ def shoe_rack(spec: Spec) -> Build:
             build.body.append(box(spec.wood, around(slat * 0.33 * x, 0.26 * x), inner, (level - 0.016, level)))
         room = (z - 0.104) / (rows - 1) - 0.016 if k < rows - 1 else None
         build.surfaces.insert(0, top_surface(f"shelf {k + 1}", (-0.46 * x, 0.46 * x), inner, level, headroom=room))
+    return build
+
+
+def shoe_bench(spec: Spec) -> Build:
+    """Return a cushioned bench over slatted shelves for shoes; an "open" one has none."""
+    x, y, z = spec.size
+    seat, inner = z - 0.06, (-y / 2 + BOARD, y / 2 - BOARD)
+    build = Build(
+        body=[
+            *(box(spec.wood, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), (0, seat)) for s in (-1, 1)),
+            box(spec.wood, (-x / 2, x / 2), inner, (seat - BOARD, seat)),
+            cushion(spec.main(spec.style.accent), (-x / 2, x / 2), (-y / 2, y / 2), (seat, z), radius=0.02),
+        ],
+        surfaces=[top_surface("seat", (-x / 2 + 0.02, x / 2 - 0.02), (-y / 2 + 0.02, y / 2 - 0.02), z)],
+    )
+    if spec.has("open"):
+        return build
+    count = max(1, round((seat - 0.1) / 0.19))
+    pitch = (seat - BOARD - 0.08) / count
+    for k in range(count):
+        level = 0.08 + k * pitch
+        for slat in (-1, 0, 1):
+            build.body.append(box(spec.wood, around(slat * 0.33 * x, 0.26 * x), inner, (level - 0.016, level)))
+        shelf = top_surface(f"shelf {k + 1}", (-0.46 * x, 0.46 * x), inner, level, headroom=pitch - 0.02)
+        build.surfaces.append(shelf)
     return build
 
 

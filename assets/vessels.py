@@ -1,6 +1,7 @@
 """Turned things: vases, bowls, cups, bottles, baskets and bins. A flat disc is their foot."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import cos, pi, sin
 
 from thinkblox.assets.palette import (
@@ -18,7 +19,7 @@ from thinkblox.assets.palette import (
     STEEL,
     WICKER,
 )
-from thinkblox.assets.part import Build, Finish, Part
+from thinkblox.assets.part import Build, Finish, Part, moved
 from thinkblox.assets.shapes import (
     around,
     box,
@@ -34,6 +35,7 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.tubes import arc, tube
 from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2
 
@@ -152,6 +154,40 @@ def teapot(spec: Spec) -> Build:
     return Build(body=body)
 
 
+def tea_set(spec: Spec) -> Build:
+    """Return a tray with a teapot and cups, or with glasses of drinks; bare when "empty"."""
+    x, y, z = spec.size
+    rim, floor, bare = 0.022, 0.01, spec.has("empty")
+    high = rim if bare else z
+    wood, edge = spec.wood, 0.012
+    inner = (around(0, x - 2 * edge), around(0, y - 2 * edge))
+    body = [
+        box(wood, *inner, (0, floor)),
+        *(box(wood, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - edge)), (0, rim)) for s in (-1, 1)),
+        *(box(wood, (s * x / 2, s * (x / 2 - edge)), inner[1], (0, rim)) for s in (-1, 1)),
+    ]
+    surfaces = [top_surface("tray", *inner, floor), inner_surface("inside", *inner, floor)]
+    if bare:
+        return Build(body=body, surfaces=surfaces)
+    glaze, wide = spec.main(spec.choice(GLAZES)), spec.category == "drinks_tray"
+    for k in range(4):
+        at = ((0.22 if k % 2 else -0.22) * x, -0.3 * y if k < 2 else 0.3 * y if wide else -0.02 * y)
+        if wide:
+            body += _filled(GLASS, at, 0.15 * x, floor, high)
+        else:
+            body += _filled(glaze, at, 0.15 * x, floor, floor + 0.45 * (high - floor))
+    if not wide:
+        pot = teapot(replace(spec, size=(0.62 * x, 0.4 * x, high - floor)))
+        body += [replace(moved(part, (0.0, 0.27 * y, floor)), finish=glaze) for part in pot.body]
+    return Build(body=body)
+
+
+def _filled(finish: Finish, at: Vec2, radius: float, low: float, high: float) -> list[Part]:
+    """A vessel that is full, between two heights [m]."""
+    wall = shell(finish, at, (low, high), 0.72 * radius, radius, 0.004, pieces=12)
+    return [*wall, disc(AMBER_GLASS, at, 0.7 * radius, (low, low + 0.75 * (high - low)))]
+
+
 _BOTTLE = ((0.0, 0.94), (0.04, 1.0), (0.58, 1.0), (0.72, 0.42), (0.75, 0.36), (0.93, 0.34), (0.931, 0.42), (1.0, 0.42))
 
 
@@ -189,19 +225,21 @@ def waste_bin(spec: Spec) -> Build:
 
 
 def umbrella_stand(spec: Spec) -> Build:
-    """Return a tall open cylinder, with two umbrellas unless it is "empty"."""
+    """Return a tall open cylinder, with two umbrellas that hang their crooks out unless it is "empty"."""
     x, y, z = spec.size
-    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.68 * z
+    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.62 * z
     body = hollow(spec.main(spec.style.metal), (0, 0), radius, rim, 0.96, 0.008)
     if spec.has("empty"):
         return Build(body=body, surfaces=[bottom(radius, rim, 0.96, 0.008)])
     for k, colour in enumerate(((0.20, 0.27, 0.38), (0.66, 0.28, 0.22))):
-        at = (0.3 * radius * (1 - 2 * k), 0.25 * radius)
+        s, crook = 1 - 2 * k, 0.28 * radius
+        foot, head = (0.4 * s * radius, -0.3 * s * radius), (0.3 * s * radius, 0.1 * s * radius)
+        top = z - 0.012 - 0.05 * k * z - crook
+        hook = arc((head[0], head[1] + s * crook, top), (crook, crook), (90.0 + 90.0 * s, 90.0 - 110.0 * s), axis=0)
         body += [
-            rod(
-                Finish(colour, "fabric"), (at[0], at[1], 0.02), (at[0] * 0.5, -at[1], 0.86 * z), 0.022, end_radius=0.03
-            ),
-            disc(spec.style.wood, (at[0] * 0.5, -at[1]), 0.012, (0.86 * z, z - 0.06 * k * z)),
+            rod(Finish(colour, "fabric"), (*foot, 0.02), (*head, 0.76 * z), 0.016, end_radius=0.034),
+            rod(Finish(colour, "fabric"), (*head, 0.76 * z), (*head, 0.8 * z), 0.034, end_radius=0.012),
+            *tube(spec.style.wood, [(*head, 0.78 * z), *hook], 0.011),
         ]
     return Build(body=body)
 

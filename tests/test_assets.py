@@ -8,6 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from thinkblox.assets import CATALOGUE, Category, fit_asset, make_asset
+from thinkblox.assets.palette import CHROME
 from thinkblox.assets.repaint import share
 from thinkblox.assets.showing import realised
 from thinkblox.errors import InputError
@@ -190,8 +191,9 @@ def test_who_trains_looks_over_the_front(name: str) -> None:
     assert highest.position[0] > 0.15 * asset.size[0]
 
 
-def test_a_piano_is_played_from_its_front() -> None:
-    keys = [shape for shape in shapes_of(make_asset("piano", seed=0)) if min(shape.colour) > 0.8]
+@pytest.mark.parametrize("name", ["piano", "electric_piano", "pipe_organ", "electric_organ"])
+def test_a_piano_is_played_from_its_front(name: str) -> None:
+    keys = [shape for shape in shapes_of(make_asset(name, seed=0)) if min(shape.colour) > 0.8]
     assert keys
     assert all(shape.position[0] > 0.0 for shape in keys)
 
@@ -218,6 +220,8 @@ def test_what_hangs_on_a_wall_lies_flat_against_it(name: str) -> None:
         ("wardrobe", ("3-doors",)),
         ("floor_cushion", ("round",)),
         ("monitor", ("ultrawide",)),
+        ("guitar", ("electric",)),
+        ("washbasin", ("double",)),
     ],
 )
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -230,6 +234,32 @@ def test_what_is_said_of_a_thing_is_seen_on_it(category: str, words: tuple[str, 
 def test_a_wooden_stool_has_no_legs_of_metal(seed: int) -> None:
     asset = make_asset("bar_stool", seed=seed, attributes=("wooden",))
     assert share(asset.links, lambda shape: shape.material == "metal") < 0.12
+
+
+def test_a_double_washbasin_has_two_basins_and_a_freestanding_bath_stands_by_itself() -> None:
+    basins, baths = (
+        [
+            make_asset(request.category, seed=1, attributes=request.attributes)
+            for text in texts
+            for request in read_brief(f"A bathroom with a {text}.").requests
+            if request.asked
+        ]
+        for texts in (("washbasin", "double washbasin"), ("bath", "freestanding bath"))
+    )
+    taps = [sum(shape.colour == CHROME.colour for shape in shapes_of(asset)) for asset in basins]
+    assert taps[1] == 2 * taps[0]
+    assert basins[1].size[1] > 1.6 * basins[0].size[1]
+    assert [reaches_its_corner(bath) for bath in baths] == [True, False]
+
+
+def reaches_its_corner(asset: Asset) -> bool:
+    highest = (extent(shape)[1] / asset.size for shape in shapes_of(asset))
+    return any(x > 0.45 and y > 0.45 for x, y, _ in highest)
+
+
+def test_what_one_washes_or_shows_in_has_a_hollow() -> None:
+    for name in ("laundry_sink", "commercial_sink", "cake_display", "pastry_case"):
+        assert any(surface.within for surface in make_asset(name, seed=0).surfaces), name
 
 
 def test_a_mini_fridge_is_small() -> None:

@@ -97,6 +97,22 @@ def test_stools_stand_in_one_line_along_the_counter():
     assert np.ptp(np.diff(sorted(y for _, y in out))) < 0.05
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    ["A chapel with an altar, a lectern and five rows of pews.", "A church, 6 m by 9 m, with an altar and ten pews."],
+)
+def test_pews_stand_on_both_sides_of_an_aisle_and_look_at_the_altar(prompt: str):
+    assert unmet(prompt) == []
+    altar, pews = of(prompt, "altar")[0], of(prompt, "pew")
+    assert len(pews) == 10
+    assert all(turn_between(pew.yaw, altar.yaw + 180.0) < 1.0 for pew in pews)
+    sides = [altar.to_local((pew.position[0], pew.position[1]))[1] for pew in pews]
+    assert sum(side > 0.0 for side in sides) == 5
+    assert min(map(abs, sides)) - max(pew.size[1] for pew in pews) / 2 > 0.25
+    for lectern in of(prompt, "podium"):
+        assert apart(lectern, altar) <= NEXT_TO
+
+
 def test_shelves_behind_a_counter_leave_room_to_serve():
     prompt = "A bakery with a counter and two shelves behind it."
     assert unmet(prompt) == []

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from tests import sim_rooms as sims
 from tests.test_reading import OWN, SHARED
 from tests.test_reading_hostile import WORDS
+from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.plan import Plan
@@ -313,3 +314,19 @@ def test_two_beds_stand_in_line() -> None:
         ("A hospital room for two patients with visitor chairs", "hospital_bed_2"),
     ):
         assert ties_of(plan_of(prompt), second) == [("in_rows",)]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "stool", "least", "most"),
+    [
+        ("A laboratory with a lab bench and two stools at it", "stool_1", 0.58, 0.72),
+        ("A bar with a bar counter and two bar stools at it", "bar_stool_1", 0.7, 0.9),
+        ("A kitchen with a dining table and two stools at it", "stool_1", 0.4, 0.52),
+        ("A music room with a piano and a stool at it", "stool_1", 0.4, 0.52),
+    ],
+)
+def test_a_stool_is_as_high_as_the_top_that_it_is_drawn_up_to_asks(
+    prompt: str, stool: str, least: float, most: float
+) -> None:
+    target = plan_of(prompt).target(stool)
+    assert least <= (target.size[2] or kind_of(target.category).size[2]) <= most

@@ -79,8 +79,8 @@ def _tie_between(
 
 
 def _tie_to_place(relation: Relation, subjects: list[Member]) -> None:
-    rows = (relation.rows or rows_for(len(subjects))) if relation.kind == "in_rows" else 0
     for index, subject in enumerate(subjects):
+        rows = (relation.rows or rows_for(subject.category, len(subjects))) if relation.kind == "in_rows" else 0
         subject.ties.append(
             Tie(
                 kind=relation.kind,
@@ -94,8 +94,13 @@ def _tie_to_place(relation: Relation, subjects: list[Member]) -> None:
         )
 
 
-def rows_for(count: int) -> int:
-    """Rows for so many alike when nobody says: the nearest to half as many rows as places in a row."""
+def rows_for(category: str, count: int) -> int:
+    """Rows for so many alike when nobody says.
+
+    As many as leave the usual number abreast; else the nearest to half as many rows as places in a row.
+    """
+    if abreast := facts_of(category).row.abreast:
+        return -(-count // abreast)
     divisors = [n for n in range(1, count + 1) if count % n == 0 and n * n <= count]
     even = divisors[-1] if divisors else 1
     return even if even > 1 or count < 5 else max(1, round(math.sqrt(count / 2.0)))

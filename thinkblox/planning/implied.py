@@ -94,13 +94,13 @@ def _crowd(members: Members, first: Member) -> int:
 
 
 def _look_ahead(members: Members, request: list[Member]) -> None:
-    """Rows of seats or of desks look at the board, or at who speaks, where nobody says at what."""
+    """Rows of seats or of desks look at the board, or at what they attend to, where nobody says at what."""
     habits, first = load_habits(), request[0]
     in_rows = all(any(tie.kind == "in_rows" for tie in member.ties) for member in request)
     looking = any(tie.kind in _WITHOUT_PLACE for tie in first.ties)
     if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating", "long_sides"):
         return
-    for category in (*habits.group("boards"), "podium"):
+    for category in (*habits.group("boards"), *habits.group("attended")):
         boards = (m for m in members.of_category(category) if not any(members.depends(m, w) for w in request))
         board = next(boards, None)
         if board is not None and not any(board.id in tie.anchors for tie in first.denied):
@@ -247,8 +247,9 @@ def _at_place(members: Members, waiting: list[Member], habit: Habit, *, windows:
 
 
 def _in_rows(waiting: list[Member]) -> list[Member]:
+    rows = rows_for(waiting[0].category, len(waiting))
     for index, member in enumerate(waiting):
-        tie = Tie(kind="in_rows", index=index, count=len(waiting), rows=rows_for(len(waiting)), asked=False)
+        tie = Tie(kind="in_rows", index=index, count=len(waiting), rows=rows, asked=False)
         member.ties.append(tie)
     return []
 

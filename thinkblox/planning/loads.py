@@ -160,7 +160,7 @@ def size_of_unknown(member: Member, members: Members) -> Vec3 | None:
 def width_of(member: Member, members: Members) -> float:
     """The diameter of the disc that it needs whichever way it is turned [m]."""
     x, y, z = usual_size(member, members)
-    return max(x, y) if _made(member, members, (x, y, z)).front == "any" else float(np.hypot(x, y))
+    return max(x, y) if asset_of(member, members, (x, y, z)).front == "any" else float(np.hypot(x, y))
 
 
 def top_for_loads(member: Member, members: Members) -> Vec2 | None:
@@ -170,7 +170,7 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     if not loads or kind.flat or member.mount == "ceiling":
         return None
     usual = usual_size(member, members)
-    open_ = [s for s in _made(member, members, usual).surfaces if not s.within]
+    open_ = [s for s in asset_of(member, members, usual).surfaces if not s.within]
     tops = [s for s in open_ if s.headroom is None]
     if not tops or (len(open_) > 1 and kind.is_in("shelves")):
         return None
@@ -232,7 +232,8 @@ def _grown(
     return (across, along) if long else (along, across)
 
 
-def _made(member: Member, members: Members, size: Vec3) -> Asset:
+def asset_of(member: Member, members: Members, size: Vec3) -> Asset:
+    """One such thing of a size, as near as it can be made [m]."""
     words = words_of(member, members)
     low, high = sizes_of(kind_of(member.category), words)
     x, y, z = (min(max(s, a), b) for s, a, b in zip(size, low, high, strict=True))
@@ -269,7 +270,7 @@ def size_under(member: Member, members: Members) -> Vec3 | None:
 
 
 def _fits_under(anchor: Member, members: Members, frame: Vec3, size: Vec3) -> bool:
-    place = room_under(_made(anchor, members, frame).links, size[2] * _VARIED + UNDER)
+    place = room_under(asset_of(anchor, members, frame).links, size[2] * _VARIED + UNDER)
     if place is None:
         return False
     (x, y), room = sorted((size[0] + UNDER, size[1] + UNDER)), sorted(place)

@@ -23,6 +23,7 @@ from thinkblox.planning.loads import (
     words_of,
 )
 from thinkblox.planning.members import Member, Members
+from thinkblox.planning.seat_heights import seat_height
 from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2, Vec3
 
@@ -63,7 +64,11 @@ def _needed(member: Member, members: Members, room_height: float) -> Measures:
             return smaller
         depth, width = top_for_loads(member, members) or _for_boards(member, members, kind) or (None, None)
     seats = None if any(member.request.size[:2]) else _for_seats(member, members, kind)
-    return (depth, max(filter(None, (width, seats)), default=None), height or height_over(member, members))
+    return (
+        depth,
+        max(filter(None, (width, seats)), default=None),
+        height or height_over(member, members) or seat_height(member, members),
+    )
 
 
 def size_note(request: Request) -> str:

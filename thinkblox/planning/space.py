@@ -59,7 +59,7 @@ def furniture_area(brief: Brief) -> float:
 
 def _before_board(brief: Brief) -> float:
     """Floor between a board and the first of the rows that look at it, with who teaches in between [m2]."""
-    boards = {r.key for r in brief.requests if load_habits().is_in(r.category, "boards")}
+    boards = {r.key for r in brief.requests if load_habits().is_in(r.category, "boards", "attended")}
     looking = {r.subject for r in brief.relations if r.kind in ("facing", "opposite")}
     looking |= {r.key for r in brief.requests if boards and load_habits().is_in(r.category, "lined_up", "seating")}
     rows = [r for r in brief.relations if r.kind == "in_rows" and r.subject in looking]
@@ -68,7 +68,7 @@ def _before_board(brief: Brief) -> float:
     depth = _BOARD + max(
         (_size(brief.request(key))[0] + _SIT for key in desks if _stands(brief.request(key))), default=0
     )
-    return sum(depth * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
+    return sum(depth * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.category, q.count)) for q, n in requests)
 
 
 def _walls_area(brief: Brief) -> float:

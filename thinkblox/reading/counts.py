@@ -129,11 +129,13 @@ def _one_before_each(draft: Draft, thing: Mention) -> int:
 
 
 def _bare(thing: Mention, bonds: list[Bond]) -> int:
+    abreast = facts_of(thing.noun).row.abreast
     if thing.rows:
-        return (_ROWS if thing.rows < 0 else thing.rows) * (_PER_ROW if thing.rows != 1 else _PER_ROW + 1)
+        several = abreast or (_PER_ROW if thing.rows != 1 else _PER_ROW + 1)
+        return (_ROWS if thing.rows < 0 else thing.rows) * several
     rows = next((bond.rows for bond in bonds if bond.kind == "in_rows"), None)
     if rows is not None:
-        return max(rows, _ROWS) * _PER_ROW
+        return max(rows, _ROWS) * (abreast or _PER_ROW)
     return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
 
 

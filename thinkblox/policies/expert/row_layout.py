@@ -18,6 +18,11 @@ WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
 WIDEST_WITH_SEATS = 2.4
 """How far tables are drawn apart to use a large floor [m]."""
+WAY, NO_WAY = 0.6, 1.5
+"""Least free width of the way between neighbours of which only so many form a row [m], and what it costs to have none.
+
+So pews stand on both sides of an aisle.
+"""
 
 
 @dataclass(frozen=True)
@@ -85,7 +90,8 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
     if situation.facts.is_in("from_aisles") and rows > 1 and even_aisle > aisles[0]:
         costs |= {round(aisles[0] + (even_aisle - aisles[0]) * k / 3, 2): 0.05 * k for k in (1, 2, 3, 4)}
     for order, beside in enumerate(gaps_in_row(situation) or situation.facts.row.beside):
-        yield from (_Spacing(beside, aisle, cost + 0.1 * order) for aisle, cost in costs.items())
+        dear = 0.1 * order + NO_WAY * (situation.facts.row.abreast > 1 and beside < WAY)
+        yield from (_Spacing(beside, aisle, cost + dear) for aisle, cost in costs.items())
 
 
 def _even(length: float, count: int, size: float) -> float:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie, is_object
@@ -179,12 +180,16 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
     across = offset @ np.array([-math.sin(angle), math.cos(angle)])
     aside = np.abs(across.mean(-1))
     free = ahead.min(-1) - anchor.size[0] / 2 - situation.size[0] / 2
-    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside + _past(ahead, across))
+    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside + _past(anchor, ahead, across))
 
 
-def _past(ahead: Array, across: Array) -> Array:
-    """What it costs that some in the outer places look past what the rows look at."""
+def _past(anchor: Placement, ahead: Array, across: Array) -> Array:
+    """What it costs that some in the outer places look past what the rows look at: its middle where it hangs."""
     off = np.degrees(np.arctan2(np.abs(across), np.maximum(ahead, 0.01)))
+    if kind_of(anchor.category).mount == "floor":
+        depth, width = anchor.size[0] / 2, anchor.size[1] / 2
+        beside, before = np.maximum(np.abs(across) - width, 0.0), np.maximum(ahead - depth, 0.01)
+        off = np.minimum(off, np.degrees(np.arctan2(beside, before)))
     past = off > FACING - 1.0
     return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1))
 

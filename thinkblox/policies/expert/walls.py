@@ -24,6 +24,8 @@ ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
 WAITING = 2
 """From so many on, seats by the walls stand side by side."""
+FOCAL, ATTENDED = 0.9, 3.0
+"""What it costs to stand at the end of a wall, where the middle is best, and for what rows of seats look at."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -62,7 +64,8 @@ def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> It
     """Along each wall: its middle, its ends, beside what stands there, before its windows, and evenly between."""
     _, (depth, width) = oriented(situation.size, situation.asset.front)
     single = situation.facts.is_in("lain_on") and situation.size[1] < DOUBLE
-    focal = situation.facts.is_in("focal", "seating") and not single
+    focal = FOCAL if situation.facts.is_in("focal", "seating") and not single else 0.0
+    focal = ATTENDED if situation.facts.is_in("attended") else focal
     for wall in situation.room.walls if walls is None else walls:
         low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
         if high < low:
@@ -148,10 +151,10 @@ def _places(situation: Situation, wall: Wall, depth: float, width: float, low: f
     return {round(place, 3) for place in places if low <= place <= high}
 
 
-def _place_cost(wall: Wall, along: float, low: float, high: float, *, focal: bool) -> float:
+def _place_cost(wall: Wall, along: float, low: float, high: float, *, focal: float) -> float:
     middle = wall.length / 2
     if focal:
-        return 0.9 * abs(along - middle) / max(0.5, middle)
+        return focal * abs(along - middle) / max(0.5, middle)
     end = min(along - low, high - along)
     return min(0.6, 0.35 * end) + (0.2 if 0.05 < end < 0.3 else 0.0)
 
