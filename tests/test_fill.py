@@ -11,7 +11,7 @@ from thinkblox.assets import kind_of
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
-from thinkblox.furnishing import Progress
+from thinkblox.furnishing import Furnished, Progress
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import read_usual
 from thinkblox.placing import Effort
@@ -39,6 +39,13 @@ def test_what_was_added_is_marked_as_assumed(lived_in: Generation) -> None:
     assert asked == {"towel_rail"}
     assert {verdict.id for verdict in lived_in.report.objects} == {p.id for p in lived_in.scene.placements}
     assert not any(absence.asked for absence in lived_in.report.absent)
+
+
+def test_the_room_that_was_filled_is_the_one_that_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    filled: list[Furnished] = []
+    monkeypatch.setattr(Furnished, "dress", lambda self: filled.append(self))
+    monkeypatch.setattr("thinkblox.generate._is_cramped", lambda made: not filled or made is filled[0])
+    assert generate_room(PROMPT, fill="lived-in").scene == filled[0].best.world.scene
 
 
 def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None:
