@@ -116,6 +116,30 @@ def test_the_first_fitting_entry_says_what_is_put_on_a_thing() -> None:
     assert "binder" in {usual.category for usual in office}
 
 
+@pytest.mark.parametrize(
+    ("room", "carrier", "homely"),
+    [
+        ("church", "sideboard", {"wristwatch", "keys", "jewelry_box", "remote_control"}),
+        ("church", "bookcase", {"radio", "alarm_clock", "sewing_box", "board_game"}),
+        ("courtroom", "bookcase", {"ship_in_a_bottle", "record_player", "board_game"}),
+        ("waiting_room", "coffee_table", {"remote_control", "sunglasses", "chess_board"}),
+        ("classroom", "school_desk", {"phone", "sunglasses", "cactus", "desk_fan", "photo_frame"}),
+        ("dining_room", "china_cabinet", {"board_game", "book_row", "book", "biscuit_tin"}),
+        ("pottery_studio", "shelving_unit", {"potted_plant", "ship_in_a_bottle"}),
+        ("recording_studio", "bookcase", {"ship_in_a_bottle", "decanter", "sewing_box", "telephone"}),
+        ("teenager_bedroom", "bookcase", {"toy", "stuffed_animal", "doll", "abacus", "sewing_box"}),
+    ],
+)
+def test_a_room_gets_what_lies_about_in_such_rooms(room: str, carrier: str, homely: set[str]) -> None:
+    there = {usual.category for usual in dressing().on(carrier, room)}
+    assert there
+    assert not there & homely
+
+
+def test_no_shelves_are_put_up_where_there_are_none() -> None:
+    assert not {"wall_shelf", "sideboard", "bookcase"} & {usual.category for usual in dressing().furniture("church")}
+
+
 def test_every_dressing_has_a_shape_and_lies_on_something() -> None:
     things = {usual.category for tops in dressing().tops for usual in read_usual(tops.things)}
     assert {noun for noun in things if stand_in(noun).how not in ("catalogue", "table")} == set()
