@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from shapely import Point
 
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
@@ -191,3 +192,10 @@ def test_only_rooms_whose_size_is_left_open_grow():
     room = plan_room(brief, rng=0)
     wider = plan_room(larger(brief, room, 1.35), rng=0)
     assert math.isclose(wider.polygon.area / room.polygon.area, 1.35, rel_tol=0.05)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_somebody_can_stand_behind_the_counter_by_a_door(seed: int):
+    scene = generate_room("A shop with a counter by the door and two shelving units.", fill="named", seed=seed).scene
+    counter = scene["counter_1"]
+    assert scene.room.polygon.contains(Point(counter.to_room((-counter.size[0] / 2 - 0.8, 0.0))))

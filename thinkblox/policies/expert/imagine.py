@@ -278,6 +278,7 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
     behind = walls.BEHIND if served else _seats_behind(situation)
     candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
+    candidates += walls.end_on_beside(situation, kind) if served else ()
     for idea in candidates:
         if not centres:
             yield idea
