@@ -39,6 +39,7 @@ _MOST_MEET = 12
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
+_TILL = "cash_register"
 
 
 def assume(draft: Draft, fill: Fill) -> None:
@@ -63,6 +64,7 @@ def assume(draft: Draft, fill: Fill) -> None:
         _set_down(draft)
         _staff(draft)
         _give_places(draft)
+        _ring_up(draft)
         _carry(draft, seated=True)
 
 
@@ -520,6 +522,16 @@ def _set_down(draft: Draft) -> None:
                 draft.hand_over(bond, desk)
             draft.bonds.append(Bond("on", thing, (desk,), asked=False))
             draft.bonds.append(Bond(relation_kind(seat.relations[0][0]), chair, (desk,), each=True, asked=False))
+
+
+def _ring_up(draft: Draft) -> None:
+    """A cash register on the counter that a prompt names in a room where one pays at it."""
+    usuals = (*room_type(draft.room).usual, *room_type(draft.room).expected)
+    paid_at = {anchor for u in usuals if u.category == _TILL for kind, anchor, _ in u.relations if kind == "on"}
+    counter = next((t for t in draft.things if t.asked and t.noun in paid_at), None)
+    if counter is None or any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
+        return
+    draft.bonds.append(Bond("on", _add(draft, _TILL, 1), (counter,), asked=False))
 
 
 def _is_bar(thing: Mention) -> bool:
