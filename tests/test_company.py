@@ -54,7 +54,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A kitchen with a breakfast bar, three stools and a pantry cupboard", "base_cabinet", 3),
         ("A cafe with a counter, four tables for two and a bar with stools", "coffee_machine", 1),
         ("A barbershop with three chairs, mirrors, a bench, a cash desk and a coat rack", "cash_register", 1),
-        ("A bookshop with a counter, a till and an armchair", "cash_register", 1),
+        ("A bookshop with a checkout, a till and an armchair", "cash_register", 1),
         ("A nail salon with four manicure tables", "chair", 8),
         ("A playroom with a tent", "play_tent", 1),
         ("A biology lab with four benches, microscopes and a sink", "lab_bench", 4),

@@ -40,6 +40,8 @@ _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
 _TILL = "cash_register"
+_PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
+"""Words in the names of what one pays at."""
 
 
 def assume(draft: Draft, fill: Fill) -> None:
@@ -536,13 +538,13 @@ def _set_down(draft: Draft) -> None:
 
 
 def _ring_up(draft: Draft) -> None:
-    """A cash register on the counter that a prompt names in a room where one pays at it."""
-    usuals = (*room_type(draft.room).usual, *room_type(draft.room).expected)
-    paid_at = {anchor for u in usuals if u.category == _TILL for kind, anchor, _ in u.relations if kind == "on"}
-    counter = next((t for t in draft.things if t.asked and t.noun in paid_at), None)
-    if counter is None or any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
+    """A cash register on what a prompt calls a cash desk or a checkout, where it names none."""
+    if any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
         return
-    draft.bonds.append(Bond("on", _add(draft, _TILL, 1), (counter,), asked=False))
+    for desk in [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "served_over")]:
+        if not _PAID_AT.isdisjoint(desk.text.lower().replace("'", "").split()):
+            register = _add(draft, _TILL, desk.count or 1)
+            draft.bonds.append(Bond("on", register, (desk,), each=desk.many, asked=False))
 
 
 def _is_bar(thing: Mention) -> bool:
