@@ -105,6 +105,10 @@ def test_nothing_excluded_is_added() -> None:
     )
 
 
+def test_what_is_there_by_another_name_is_not_added_again() -> None:
+    assert "wall_map" not in added_to("A classroom with four desks and a world map on the wall")
+
+
 def test_another_filling_is_refused() -> None:
     with pytest.raises(InputError, match="named, essentials, lived-in"):
         generate_room(PROMPT, fill=cast(Fill, "full"))

@@ -281,3 +281,8 @@ def test_a_bookshop_has_books_on_its_shelves() -> None:
     usual = [thing.category for thing in dressing().on("bookcase", "bookstore")]
     assert "book_row" in usual
     assert "bottle" not in usual
+
+
+def test_what_is_kept_on_a_tall_bookcase_stands_at_hand() -> None:
+    done = room("A study with a desk, a tall bookcase and a globe.")
+    assert 0.5 < done.scene["globe_1"].position[2] < 1.6

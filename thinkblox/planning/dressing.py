@@ -7,8 +7,9 @@ from typing import Literal, cast
 import numpy as np
 from msgspec.structs import replace
 
-from thinkblox.assets import facts_of, kind_of
+from thinkblox.assets import CATALOGUE, facts_of, kind_of
 from thinkblox.assets.category import Category
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import RelationKind, Request
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import Usual, read_usual
@@ -150,7 +151,8 @@ class Dresser:
 
     def _there(self, scene: Scene, category: str) -> int:
         """How many alike there are."""
-        return sum(are_alike(p.category, category) or counts_as(p.category, category) for p in scene.placements)
+        made = (p.category if p.category in CATALOGUE else stand_in(p.category).like for p in scene.placements)
+        return sum(are_alike(each, category) or counts_as(each, category) for each in made)
 
     def _is_welcome(self, category: str) -> bool:
         return not any(counts_as(category, name) or are_alike(category, name) for name in self.plan.brief.excluded)
