@@ -77,6 +77,7 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
         ("A laundry room with a washer and a dryer", "dryer"),
         ("A sauna with a stove in the corner", "sauna_heater"),
         ("A kitchen with a stove", "stove"),
+        ("A pottery studio with shelves full of drying pots and a sink", "pottery_piece"),
         ("A board room with a table", "conference_table"),
         ("A dining room with a buffet", "sideboard"),
         ("A buffet restaurant with a buffet", "counter"),

@@ -204,6 +204,7 @@ from thinkblox.reading import read_brief
         ("Six recliners, all facing a projector screen.", ["6 recliner facing projector_screen"]),
         ("A conference hall with a stage and a screen behind it.", ["1 projector_screen behind stage"]),
         ("Three tables, each with a stool beside it and a cabinet.", ["3 cabinet next_to dining_table"]),
+        ("A workshop with shelves full of jars and a sink.", ["3 jar inside shelving_unit", "1 sink"]),
         ("Ten desks facing the blackboard and the teacher's desk at the front.", ["1 desk-2 in_front_of blackboard"]),
         ("A lecture hall with thirty chairs, a podium at the front and a screen.", ["1 podium near projector_screen"]),
         ("Nine desks facing the whiteboard, a cabinet against the front wall.", ["1 cabinet against_wall near_wall"]),

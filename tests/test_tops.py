@@ -286,3 +286,13 @@ def test_a_bookshop_has_books_on_its_shelves() -> None:
 def test_what_is_kept_on_a_tall_bookcase_stands_at_hand() -> None:
     done = room("A study with a desk, a tall bookcase and a globe.")
     assert 0.5 < done.scene["globe_1"].position[2] < 1.6
+
+
+def test_a_sink_under_a_window_stays_on_its_cabinet() -> None:
+    done = generate_room(
+        "Small L-shaped kitchen with fridge, oven, sink under the window, dishwasher, a toaster and a kettle on the "
+        "counter, and a little breakfast table for two",
+        seed=41,
+        effort=ONCE,
+    )
+    assert done.scene["sink_1"].support.startswith("base_cabinet")

@@ -635,6 +635,23 @@ def _carry(draft: Draft, *, seated: bool) -> None:
                     draft.bonds.append(Bond(kind, seat, (carrier,), each=carrier.many, asked=False))
 
 
+def _take_off_shelves(draft: Draft) -> None:
+    """What is built in is on no shelf: "shelves full of pots and a sink" ends its list of pots before the sink."""
+    habits = load_habits()
+    for thing in [t for t in draft.things if habits.is_in(t.noun, "built_in")]:
+        shelved = [
+            bond
+            for bond in draft.bonds_of(thing)
+            if bond.kind in ("on", "inside") and any(habits.is_in(n, "shelves") for n in _anchored(bond))
+        ]
+        draft.bonds = [bond for bond in draft.bonds if all(bond is not other for other in shelved)]
+
+
+def _anchored(bond: Bond) -> list[str]:
+    """What a bond is to, the places of the room aside."""
+    return [anchor.noun for anchor in bond.anchors if isinstance(anchor, Mention)]
+
+
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
     """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
     habits = load_habits()
@@ -645,6 +662,7 @@ def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
 def _build_in(draft: Draft) -> None:
     """A cabinet for a sink or hob where there is no worktop; what is said of its place is then said of the cabinet."""
     habits = load_habits()
+    _take_off_shelves(draft)
     alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
     if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
         alone = [t for t in alone if _has_place(draft, t)]

@@ -32,6 +32,7 @@ from thinkblox.scene.pairs import FACING, NEAR
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
 from thinkblox.scene.room import turn_between
+from thinkblox.scene.support import ON_FLOOR
 
 AT_COUNTER = (0.1, 0.2, 0.3)
 """Free distance of a stool to the counter that it stands at, the best first [m]."""
@@ -100,6 +101,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
+    if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
+        ideas = [_dearer(idea, ELSEWHERE if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
