@@ -678,3 +678,10 @@ def test_what_is_said_not_to_be_big_is_small(prompt: str, looks: dict[str, tuple
 def test_a_look_that_is_denied_is_said() -> None:
     assert read_brief("Two chairs. They are not red.", fill="named").unknown == ("red",)
     assert read_brief("Not a big room, with a bed.").style == ("small",)
+
+
+@pytest.mark.parametrize("prompt", ["A soft round rug.", "A table and a strange round rug.", "Two shaggy, round rugs."])
+def test_round_after_a_word_that_is_no_thing_is_a_shape(prompt: str) -> None:
+    rug = read_brief(prompt, fill="named").requests[-1]
+    assert rug.category.endswith("rug")
+    assert "round" in rug.attributes

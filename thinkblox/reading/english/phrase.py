@@ -220,6 +220,9 @@ class PhraseReader(Heads):
             known = None
         if known is not None and self._is_better(known, stop, units):
             return self._take(noun, at, units, known)
+        shaped = bool(units.nouns) and not any(u.known or singular(u.text) != u.text for u in units.nouns)
+        if shaped and self._is_shape(at) and (length := self._adjective(noun, at)):
+            return length
         if not units.nouns and (length := self._adjective(noun, at)):
             if stop is None or length > stop.length or self._continues(noun, at + length) or self._is_shape(at):
                 units.adjectives += 1
