@@ -199,6 +199,12 @@ class PhraseReader(Heads):
         if self._is_figure(noun, at, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
+        if (
+            units.nouns
+            and self._is_shape(at)
+            and all(u.known is None and singular(u.text) == u.text for u in units.nouns)
+        ):
+            return self._adjective(noun, at)
         return self._word(noun, at, units)
 
     def _word(self, noun: Noun, at: int, units: Units) -> int:
@@ -220,9 +226,6 @@ class PhraseReader(Heads):
             known = None
         if known is not None and self._is_better(known, stop, units):
             return self._take(noun, at, units, known)
-        shaped = bool(units.nouns) and not any(u.known or singular(u.text) != u.text for u in units.nouns)
-        if shaped and self._is_shape(at) and (length := self._adjective(noun, at)):
-            return length
         if not units.nouns and (length := self._adjective(noun, at)):
             if stop is None or length > stop.length or self._continues(noun, at + length) or self._is_shape(at):
                 units.adjectives += 1
