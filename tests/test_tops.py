@@ -16,6 +16,7 @@ from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Joint, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import rectangle
+from thinkblox.scene.windows import hangs_at_window
 
 ONCE = Effort(restarts=0)
 
@@ -296,3 +297,13 @@ def test_a_sink_under_a_window_stays_on_its_cabinet() -> None:
         effort=ONCE,
     )
     assert done.scene["sink_1"].support.startswith("base_cabinet")
+
+
+def test_curtains_hang_at_the_window_over_the_bed_before_it() -> None:
+    done = generate_room(
+        "Business hotel room with twin beds, a luggage rack, desk with chair, a minibar, TV on the wall opposite the "
+        "beds, curtains and an armchair with a floor lamp",
+        seed=44,
+        effort=ONCE,
+    )
+    assert all(hangs_at_window(done.scene, id) for id in ("curtain_1", "curtain_2"))
