@@ -122,6 +122,20 @@ def test_two_kinds_that_face_each_other_both_do(prompt: str, one: str, other: st
 
 
 @pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom with a king-size bed, a nightstand with a lamp on each side and a wardrobe.",
+        "A bed with a nightstand with a lamp on either side.",
+    ],
+)
+def test_a_nightstand_with_a_lamp_on_each_side_is_two_of_both(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief)["nightstand"] == _counts(brief)["table_lamp"] == 2
+    beside = {(kind, anchors) for kind, subject, anchors in _ties(brief) if subject.startswith("nightstand")}
+    assert beside == {("left_of", ("bed",)), ("right_of", ("bed",))}
+
+
+@pytest.mark.parametrize(
     ("prompt", "seat", "count"),
     [
         ("A library with three tables, four chairs at each table, and a librarian's desk.", "chair", 12),
