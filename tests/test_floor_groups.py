@@ -199,3 +199,12 @@ def test_somebody_can_stand_behind_the_counter_by_a_door(seed: int):
     scene = generate_room("A shop with a counter by the door and two shelving units.", fill="named", seed=seed).scene
     counter = scene["counter_1"]
     assert scene.room.polygon.contains(Point(counter.to_room((-counter.size[0] / 2 - 0.8, 0.0))))
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_a_telescope_at_the_window_looks_out(seed: int):
+    room = generate_room("A room with a bed and a telescope at the window.", fill="named", seed=seed)
+    telescope = room.scene["telescope_1"]
+    outward = [room.scene.room.walls[o.wall].yaw + 180.0 for o in room.scene.room.openings if o.kind == "window"]
+    assert min(turn_between(telescope.yaw, yaw) for yaw in outward) < 1.0
+    assert room.report.complete
