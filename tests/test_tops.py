@@ -307,3 +307,10 @@ def test_curtains_hang_at_the_window_over_the_bed_before_it() -> None:
         effort=ONCE,
     )
     assert all(hangs_at_window(done.scene, id) for id in ("curtain_1", "curtain_2"))
+
+
+def test_nothing_that_nobody_asked_for_lies_on_top_of_a_tall_bookcase() -> None:
+    done = generate_room("A reading room with a tall bookcase and an armchair.", seed=0, effort=ONCE, fill="lived-in")
+    tall = {p.id for p in done.scene.placements if p.category == "bookcase" and p.top > 1.7}
+    assert tall
+    assert all(p.position[2] < done.scene[p.support].top - 0.1 for p in done.scene.placements if p.support in tall)

@@ -46,7 +46,7 @@ FLAT = 0.5
 AT_HAND = 1.1
 """Height at which things on shelves are seen and taken best [m]: the shelves are filled from there."""
 REACHED = 1.6
-"""A top that is higher is taken for what nobody said is to lie there only where no shelf below has room [m]."""
+"""A top of shelves that is higher takes what is asked for only where no board has room, and nothing else [m]."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -65,6 +65,8 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
     shelved = (high or not situation.target.asked) and bool(below) and facts_of(anchor.category).is_in("shelves")
     first, then = (below, tops) if shelved else (tops, below)
     yield from _on_those(situation, anchor, tie, first)
+    if shelved and high and not situation.target.asked:
+        return
     yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, then))
 
 
