@@ -14,6 +14,12 @@ from thinkblox.assets.spec import Spec
 from thinkblox.assets.tables import is_round, side_table
 from thinkblox.scene.asset import Joint
 
+_AT_HAND = 1.1
+"""Height of the board on which things stand beside the books [m]."""
+_SHOWN = 0.52
+"""Share of that board that books take."""
+_BOOK = 0.05
+"""Where less is left of a board than a book is thick, nothing stands there [m]."""
 _CHEST_RIM = 0.55
 """Share of its height at which the rim of a chest is whose lid stands open."""
 
@@ -53,24 +59,29 @@ def bookcase(spec: Spec) -> Build:
 
 
 def _fill_with_books(build: Build, spec: Spec) -> None:
-    for surface in build.surfaces:
-        if surface.headroom is None:
-            continue
-        mid, width = surface.position[1], surface.size[1]
-        span = (mid - width / 2 + 0.01, mid - width / 2 + width * spec.between(0.6, 0.92))
-        front = surface.position[0] + surface.size[0] / 2 - 0.03
-        _row_of_books(
-            build, spec, (front - min(0.2, surface.size[0] - 0.05), front), span, surface.position[2], surface.headroom
-        )
+    """Fill most of every board, that at hand less; what is left free of it carries things."""
+    boards = [surface for surface in build.surfaces if surface.headroom is not None]
+    at_hand = min(boards, key=lambda surface: abs(surface.position[2] - _AT_HAND), default=None)
+    for surface in boards:
+        (x, mid, z), (deep, width) = surface.position, surface.size
+        share = spec.between(0.6, 0.92)
+        span = (mid - width / 2 + 0.01, mid - width / 2 + width * (_SHOWN if surface is at_hand else share))
+        front = x + deep / 2 - 0.03
+        end = _row_of_books(build, spec, (front - min(0.2, deep - 0.05), front), span, z, surface.headroom or 0.0)
+        free = mid + width / 2 - end
+        left = structs.replace(surface, position=(x, mid + width / 2 - free / 2, z), size=(deep, free))
+        build.surfaces = [left if s is surface else s for s in build.surfaces if s is not surface or free > _BOOK]
 
 
-def _row_of_books(build: Build, spec: Spec, x: Range, y: Range, z: float, headroom: float) -> None:
+def _row_of_books(build: Build, spec: Spec, x: Range, y: Range, z: float, headroom: float) -> float:
+    """Put books side by side over a span; returns where they end [m]."""
     at = y[0]
     while at < y[1]:
         thick, tall = spec.between(0.035, 0.085), min(headroom - 0.03, spec.between(0.19, 0.29))
         depth = spec.between(0.0, 0.03)
         build.body.append(box(spec.choice(SPINES), (x[0], x[1] - depth), (at, at + thick), (z, z + tall)))
         at += thick + 0.002
+    return at
 
 
 def shelving_unit(spec: Spec) -> Build:

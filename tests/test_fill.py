@@ -11,7 +11,7 @@ from thinkblox.assets import kind_of
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
-from thinkblox.furnishing import Progress
+from thinkblox.furnishing import Furnished, Progress
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import read_usual
 from thinkblox.placing import Effort
@@ -39,6 +39,13 @@ def test_what_was_added_is_marked_as_assumed(lived_in: Generation) -> None:
     assert asked == {"towel_rail"}
     assert {verdict.id for verdict in lived_in.report.objects} == {p.id for p in lived_in.scene.placements}
     assert not any(absence.asked for absence in lived_in.report.absent)
+
+
+def test_the_room_that_was_filled_is_the_one_that_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    filled: list[Furnished] = []
+    monkeypatch.setattr(Furnished, "dress", lambda self: filled.append(self))
+    monkeypatch.setattr("thinkblox.generate._is_cramped", lambda made: not filled or made is filled[0])
+    assert generate_room(PROMPT, fill="lived-in").scene == filled[0].best.world.scene
 
 
 def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None:
@@ -98,6 +105,10 @@ def test_nothing_excluded_is_added() -> None:
     )
 
 
+def test_what_is_there_by_another_name_is_not_added_again() -> None:
+    assert "wall_map" not in added_to("A classroom with four desks and a world map on the wall")
+
+
 def test_another_filling_is_refused() -> None:
     with pytest.raises(InputError, match="named, essentials, lived-in"):
         generate_room(PROMPT, fill=cast(Fill, "full"))
@@ -107,6 +118,30 @@ def test_the_first_fitting_entry_says_what_is_put_on_a_thing() -> None:
     kitchen, office = (dressing().on("bookcase", room) for room in ("kitchen", "home_office"))
     assert {usual.category for usual in kitchen} & {"plate", "cooking_pot"}
     assert "binder" in {usual.category for usual in office}
+
+
+@pytest.mark.parametrize(
+    ("room", "carrier", "homely"),
+    [
+        ("church", "sideboard", {"wristwatch", "keys", "jewelry_box", "remote_control"}),
+        ("church", "bookcase", {"radio", "alarm_clock", "sewing_box", "board_game"}),
+        ("courtroom", "bookcase", {"ship_in_a_bottle", "record_player", "board_game"}),
+        ("waiting_room", "coffee_table", {"remote_control", "sunglasses", "chess_board"}),
+        ("classroom", "school_desk", {"phone", "sunglasses", "cactus", "desk_fan", "photo_frame"}),
+        ("dining_room", "china_cabinet", {"board_game", "book_row", "book", "biscuit_tin"}),
+        ("pottery_studio", "shelving_unit", {"potted_plant", "ship_in_a_bottle"}),
+        ("recording_studio", "bookcase", {"ship_in_a_bottle", "decanter", "sewing_box", "telephone"}),
+        ("teenager_bedroom", "bookcase", {"toy", "stuffed_animal", "doll", "abacus", "sewing_box"}),
+    ],
+)
+def test_a_room_gets_what_lies_about_in_such_rooms(room: str, carrier: str, homely: set[str]) -> None:
+    there = {usual.category for usual in dressing().on(carrier, room)}
+    assert there
+    assert not there & homely
+
+
+def test_no_shelves_are_put_up_where_there_are_none() -> None:
+    assert not {"wall_shelf", "sideboard", "bookcase"} & {usual.category for usual in dressing().furniture("church")}
 
 
 def test_every_dressing_has_a_shape_and_lies_on_something() -> None:

@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from shapely import Point
 
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
@@ -207,3 +208,19 @@ def test_only_rooms_whose_size_is_left_open_grow():
     room = plan_room(brief, rng=0)
     wider = plan_room(larger(brief, room, 1.35), rng=0)
     assert math.isclose(wider.polygon.area / room.polygon.area, 1.35, rel_tol=0.05)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_somebody_can_stand_behind_the_counter_by_a_door(seed: int):
+    scene = generate_room("A shop with a counter by the door and two shelving units.", fill="named", seed=seed).scene
+    counter = scene["counter_1"]
+    assert scene.room.polygon.contains(Point(counter.to_room((-counter.size[0] / 2 - 0.8, 0.0))))
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_a_telescope_at_the_window_looks_out(seed: int):
+    room = generate_room("A room with a bed and a telescope at the window.", fill="named", seed=seed)
+    telescope = room.scene["telescope_1"]
+    outward = [room.scene.room.walls[o.wall].yaw + 180.0 for o in room.scene.room.openings if o.kind == "window"]
+    assert min(turn_between(telescope.yaw, yaw) for yaw in outward) < 1.0
+    assert room.report.complete

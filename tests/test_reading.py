@@ -41,10 +41,10 @@ SHARED = {
     ),
     "A bookstore, 8x6 m: rows of bookcases with aisles between them, a display table with stacks of books in the "
     "middle, a cash counter near the door and a reading chair with a side table and a lamp.": (
-        "6 bookcase, 1 display_table, 3 book_stack, 1 counter, 1 armchair, 1 side_table, 1 floor_lamp",
+        "6 bookcase, 1 display_table, 3 book_stack, 1 counter, 1 armchair, 1 side_table, 1 floor_lamp, 1 cash_register",
         (
             "bookcase in_rows, display_table in_centre centre, book_stack on display_table, counter near door, "
-            "side_table next_to armchair, floor_lamp next_to armchair"
+            "cash_register on counter, side_table next_to armchair, floor_lamp next_to armchair"
         ),
     ),
     "A buffet restaurant with a long buffet counter carrying food trays, plates and bowls, five square tables with "

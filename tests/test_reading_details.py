@@ -204,6 +204,10 @@ from thinkblox.reading import read_brief
         ("Six recliners, all facing a projector screen.", ["6 recliner facing projector_screen"]),
         ("A conference hall with a stage and a screen behind it.", ["1 projector_screen behind stage"]),
         ("Three tables, each with a stool beside it and a cabinet.", ["3 cabinet next_to dining_table"]),
+        ("A workshop with shelves full of jars and a sink.", ["3 jar inside shelving_unit", "1 sink"]),
+        ("Ten desks facing the blackboard and the teacher's desk at the front.", ["1 desk-2 in_front_of blackboard"]),
+        ("A lecture hall with thirty chairs, a podium at the front and a screen.", ["1 podium near projector_screen"]),
+        ("Nine desks facing the whiteboard, a cabinet against the front wall.", ["1 cabinet against_wall near_wall"]),
         ("36 desks, each with one chair, and a table at the front.", ["1 dining_table against_wall near_wall"]),
         ("A sink with a mirror over it, a toilet beside the sink, and a stack of towels on a stool.",
          ["3 towels on stool"]),
@@ -674,3 +678,10 @@ def test_what_is_said_not_to_be_big_is_small(prompt: str, looks: dict[str, tuple
 def test_a_look_that_is_denied_is_said() -> None:
     assert read_brief("Two chairs. They are not red.", fill="named").unknown == ("red",)
     assert read_brief("Not a big room, with a bed.").style == ("small",)
+
+
+@pytest.mark.parametrize("prompt", ["A soft round rug.", "A table and a strange round rug.", "Two shaggy, round rugs."])
+def test_round_after_a_word_that_is_no_thing_is_a_shape(prompt: str) -> None:
+    rug = read_brief(prompt, fill="named").requests[-1]
+    assert rug.category.endswith("rug")
+    assert "round" in rug.attributes

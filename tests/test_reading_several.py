@@ -3,6 +3,7 @@
 import pytest
 
 from thinkblox.brief import Brief
+from thinkblox.fills import Fill
 from thinkblox.reading import read_brief
 
 
@@ -121,6 +122,20 @@ def test_two_kinds_that_face_each_other_both_do(prompt: str, one: str, other: st
 
 
 @pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom with a king-size bed, a nightstand with a lamp on each side and a wardrobe.",
+        "A bed with a nightstand with a lamp on either side.",
+    ],
+)
+def test_a_nightstand_with_a_lamp_on_each_side_is_two_of_both(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief)["nightstand"] == _counts(brief)["table_lamp"] == 2
+    beside = {(kind, anchors) for kind, subject, anchors in _ties(brief) if subject.startswith("nightstand")}
+    assert beside == {("left_of", ("bed",)), ("right_of", ("bed",))}
+
+
+@pytest.mark.parametrize(
     ("prompt", "seat", "count"),
     [
         ("A library with three tables, four chairs at each table, and a librarian's desk.", "chair", 12),
@@ -131,6 +146,18 @@ def test_two_kinds_that_face_each_other_both_do(prompt: str, one: str, other: st
 def test_no_seat_is_assumed_beside_a_number_of_seats(prompt: str, seat: str, count: int) -> None:
     seats = {r.category: r.count for r in read_brief(prompt).requests if r.category.endswith("chair")}
     assert sum(n for category, n in seats.items() if category.endswith(seat)) == count
+
+
+@pytest.mark.parametrize(
+    ("prompt", "fill"),
+    [
+        ("A studio flat with a small dining table with two chairs and a desk with a laptop.", "essentials"),
+        ("A library with three tables, four chairs at each table, and a librarian's desk.", "lived-in"),
+    ],
+)
+def test_a_desk_that_somebody_works_at_has_its_seat_besides_those_of_a_table(prompt: str, fill: Fill) -> None:
+    relations = read_brief(prompt, fill=fill).relations
+    assert ("at", "office_chair", ("desk",)) in {(r.kind, r.subject, r.anchors) for r in relations}
 
 
 def test_everyone_of_nobody_knows_how_many_is_not_understood() -> None:

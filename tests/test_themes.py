@@ -65,6 +65,17 @@ def test_a_room_that_is_told_in_full_stays_as_told() -> None:
     assert all(request.asked for request in read_brief(prompt).requests)
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "My 15 year old son's room: single bed, desk, two monitors, a chair, a guitar, posters and a shelf.",
+        "A bedroom for a 16-year-old girl with a bed, a desk, a chair, a lamp, a bookcase and a rug.",
+    ],
+)
+def test_who_sleeps_in_a_room_tells_its_kind_however_much_is_named(prompt: str) -> None:
+    assert read_brief(prompt).room_type == "teenager_bedroom"
+
+
 def test_the_longest_phrase_tells() -> None:
     found = themes_in("the morning after the party".split())
     assert [(theme.theme, theme.start, theme.end) for theme in found] == [(themes()["after_party"], 1, 5)]

@@ -16,6 +16,7 @@ from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Joint, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import rectangle
+from thinkblox.scene.windows import hangs_at_window
 
 ONCE = Effort(restarts=0)
 
@@ -281,3 +282,35 @@ def test_a_bookshop_has_books_on_its_shelves() -> None:
     usual = [thing.category for thing in dressing().on("bookcase", "bookstore")]
     assert "book_row" in usual
     assert "bottle" not in usual
+
+
+def test_what_is_kept_on_a_tall_bookcase_stands_at_hand() -> None:
+    done = room("A study with a desk, a tall bookcase and a globe.")
+    assert 0.5 < done.scene["globe_1"].position[2] < 1.6
+
+
+def test_a_sink_under_a_window_stays_on_its_cabinet() -> None:
+    done = generate_room(
+        "Small L-shaped kitchen with fridge, oven, sink under the window, dishwasher, a toaster and a kettle on the "
+        "counter, and a little breakfast table for two",
+        seed=41,
+        effort=ONCE,
+    )
+    assert done.scene["sink_1"].support.startswith("base_cabinet")
+
+
+def test_curtains_hang_at_the_window_over_the_bed_before_it() -> None:
+    done = generate_room(
+        "Business hotel room with twin beds, a luggage rack, desk with chair, a minibar, TV on the wall opposite the "
+        "beds, curtains and an armchair with a floor lamp",
+        seed=44,
+        effort=ONCE,
+    )
+    assert all(hangs_at_window(done.scene, id) for id in ("curtain_1", "curtain_2"))
+
+
+def test_nothing_that_nobody_asked_for_lies_on_top_of_a_tall_bookcase() -> None:
+    done = generate_room("A reading room with a tall bookcase and an armchair.", seed=0, effort=ONCE, fill="lived-in")
+    tall = {p.id for p in done.scene.placements if p.category == "bookcase" and p.top > 1.7}
+    assert tall
+    assert all(p.position[2] < done.scene[p.support].top - 0.1 for p in done.scene.placements if p.support in tall)

@@ -159,13 +159,14 @@ def generate_room(
         else:
             made.append(furnished(room, effort, ()))
             _furnish_relieved(made, furnished, room, brief if assumes else None, effort, until)
+        best = _best(made)
         if fill == "lived-in":
-            _best(made).dress()
+            best.dress()
     except InputError as error:
         if not made:
             raise
         raise BrokenOffError(str(error), _best(made).episode()) from error
-    return _best(made).generation()
+    return best.generation()
 
 
 def _furnish_growing(

@@ -3,6 +3,7 @@
 import tomllib
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -61,8 +62,22 @@ class Dressing(Value, frozen=True, kw_only=True):
 def dressing() -> Dressing:
     """The table."""
     text = Path(__file__).with_name("dressing.toml").read_text(encoding="utf-8")
-    read = msgspec.convert(tomllib.loads(text), Dressing)
+    read = msgspec.convert(_without_groups(tomllib.loads(text)), Dressing)
     named = {room for tops in read.tops for room in tops.rooms.split(", ") if room} | read.rooms.keys()
     if unknown := named - room_types().keys():
         raise InputError(f"dressing: no type of room {min(unknown)!r}")
     return read
+
+
+def _without_groups(table: dict[str, Any]) -> dict[str, Any]:
+    """A table with every group of rooms in it spelled out."""
+    groups = table.pop("groups")
+
+    def spelled(names: str) -> str:
+        return ", ".join(groups.get(name, name) for name in names.split(", "))
+
+    for tops in table["tops"]:
+        tops["rooms"] = spelled(tops.get("rooms", ""))
+    own = {name: things for name, things in table["rooms"].items() if name not in groups}
+    alike = {room: things for name, things in table["rooms"].items() for room in spelled(name).split(", ")}
+    return table | {"rooms": alike | own}

@@ -7,8 +7,9 @@ from typing import Literal, cast
 import numpy as np
 from msgspec.structs import replace
 
-from thinkblox.assets import facts_of, kind_of
+from thinkblox.assets import CATALOGUE, facts_of, kind_of
 from thinkblox.assets.category import Category
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import RelationKind, Request
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import Usual, read_usual
@@ -28,8 +29,8 @@ _FEW, _TIMES = 2, 2
 """Of what lies about by ones or twos a room has at most so many times as many: no four alarm clocks."""
 _MANY = 6
 """What there are so many of on a thing is what it is for, and comes first: books on a bookcase."""
-_REACH, _REACHED_SHELF = 1.5, 1.9
-"""Nothing lies on an open top, or on that of a shelf, that is higher [m]."""
+_REACH, _REACHED_SHELF = 1.6, 1.9
+"""Nothing lies on an open top, or on a shelf on a wall, that is higher [m]."""
 _GAP = 0.03
 """Left about a thing on a surface [m]."""
 Stage = Literal["furniture", "things", "spare"]
@@ -66,7 +67,10 @@ class Dresser:
         return self._more(scene, [(usual, self._lacking(scene, usual)) for usual in usuals])
 
     def spare(self, scene: Scene) -> tuple[Target, ...]:
-        """What is put up where there is too little to put things on."""
+        """What is put up where there is too little to put things on, in a room that has shelves."""
+        usuals = self._table.furniture(self.plan.brief.room_type)
+        if not any(facts_of(usual.category).is_in("shelves") for usual in usuals):
+            return ()
         return self._more(scene, [(usual, usual.count) for usual in read_usual(self._table.spare)])
 
     def _lacking(self, scene: Scene, usual: Usual) -> int:
@@ -147,7 +151,8 @@ class Dresser:
 
     def _there(self, scene: Scene, category: str) -> int:
         """How many alike there are."""
-        return sum(are_alike(p.category, category) or counts_as(p.category, category) for p in scene.placements)
+        made = (p.category if p.category in CATALOGUE else stand_in(p.category).like for p in scene.placements)
+        return sum(are_alike(each, category) or counts_as(each, category) for each in made)
 
     def _is_welcome(self, category: str) -> bool:
         return not any(counts_as(category, name) or are_alike(category, name) for name in self.plan.brief.excluded)
@@ -199,7 +204,7 @@ def _serving(scene: Scene, carrier: Placement) -> list[Surface]:
     """The surfaces of a thing that a hand reaches and that are not behind a door."""
     open_ = (s for s in scene.asset_of(carrier).surfaces if not s.within)
     base = carrier.position[2]
-    reach = _REACHED_SHELF if facts_of(carrier.category).is_in("shelves") else _REACH
+    reach = _REACHED_SHELF if kind_of(carrier.category).mount == "wall" else _REACH
     return [s for s in open_ if s.headroom is not None or base + s.position[2] <= reach]
 
 

@@ -39,6 +39,9 @@ _MOST_MEET = 12
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
+_TILL = "cash_register"
+_PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
+"""Words in the names of what one pays at."""
 
 
 def assume(draft: Draft, fill: Fill) -> None:
@@ -63,6 +66,7 @@ def assume(draft: Draft, fill: Fill) -> None:
         _set_down(draft)
         _staff(draft)
         _give_places(draft)
+        _ring_up(draft)
         _carry(draft, seated=True)
 
 
@@ -180,18 +184,29 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
+        told = () if _is_equipped(draft, table) and not free else counted
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *counted)):
+        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *told)):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_equipped(draft: Draft, desk: Mention) -> bool:
+    """Whether the prompt has what one works with on it: a desk with a laptop is somebody's."""
+    return _is_desk(desk) and _has_usual(draft, desk, "desks")
 
 
 def _is_worked_on(draft: Draft, table: Mention) -> bool:
     """Whether what is to stand on it belongs on a worktop."""
+    return _has_usual(draft, table, "worktops")
+
+
+def _has_usual(draft: Draft, carrier: Mention, group: str) -> bool:
+    """Whether something is to stand on it that usually stands on things of a group."""
     habits = load_habits()
-    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and table in b.anchors]
+    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and not b.negated and carrier in b.anchors]
     usual = (habit for thing in carried for habit in habits.of(thing.noun)[:1] if habit.kind == "on")
-    return any(habits.is_in(name, "worktops") for habit in usual for name in habit.anchors[:1])
+    return any(habits.is_in(name, group) for habit in usual for name in habit.anchors[:1])
 
 
 def _has_its_table(draft: Draft, seat: Mention) -> bool:
@@ -522,6 +537,16 @@ def _set_down(draft: Draft) -> None:
             draft.bonds.append(Bond(relation_kind(seat.relations[0][0]), chair, (desk,), each=True, asked=False))
 
 
+def _ring_up(draft: Draft) -> None:
+    """A cash register on what a prompt calls a cash desk or a checkout, where it names none."""
+    if any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
+        return
+    for desk in [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "served_over")]:
+        if not _PAID_AT.isdisjoint(desk.text.lower().replace("'", "").split()):
+            register = _add(draft, _TILL, desk.count or 1)
+            draft.bonds.append(Bond("on", register, (desk,), each=desk.many, asked=False))
+
+
 def _is_bar(thing: Mention) -> bool:
     return load_habits().is_in(thing.noun, "counters")
 
@@ -610,6 +635,23 @@ def _carry(draft: Draft, *, seated: bool) -> None:
                     draft.bonds.append(Bond(kind, seat, (carrier,), each=carrier.many, asked=False))
 
 
+def _take_off_shelves(draft: Draft) -> None:
+    """What is built in is on no shelf: "shelves full of pots and a sink" ends its list of pots before the sink."""
+    habits = load_habits()
+    for thing in [t for t in draft.things if habits.is_in(t.noun, "built_in")]:
+        shelved = [
+            bond
+            for bond in draft.bonds_of(thing)
+            if bond.kind in ("on", "inside") and any(habits.is_in(n, "shelves") for n in _anchored(bond))
+        ]
+        draft.bonds = [bond for bond in draft.bonds if all(bond is not other for other in shelved)]
+
+
+def _anchored(bond: Bond) -> list[str]:
+    """What a bond is to, the places of the room aside."""
+    return [anchor.noun for anchor in bond.anchors if isinstance(anchor, Mention)]
+
+
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
     """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
     habits = load_habits()
@@ -620,6 +662,7 @@ def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
 def _build_in(draft: Draft) -> None:
     """A cabinet for a sink or hob where there is no worktop; what is said of its place is then said of the cabinet."""
     habits = load_habits()
+    _take_off_shelves(draft)
     alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
     if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
         alone = [t for t in alone if _has_place(draft, t)]

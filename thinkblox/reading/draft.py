@@ -124,6 +124,7 @@ class Draft:
     unknown: list[str] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
     empty: bool = False
+    speaks_of_front: bool = False
     free: list[str] = field(default_factory=list)
     rooms: list[str] = field(default_factory=list)
     surfaces: list[SurfaceRequest] = field(default_factory=list)

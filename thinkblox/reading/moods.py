@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Word
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.knowledge.themes import Found, Theme, themes_in
 from thinkblox.reading.draft import Draft
 
@@ -40,7 +41,7 @@ def read_moods(draft: Draft) -> None:
             continue
         draft.themes.append(found.theme)
         _account(draft, found.start, found.end)
-        if few:
+        if few or (draft.room in found.theme.refines and room_type(draft.room).sleeps):
             _choose_room(draft, found.theme)
 
 

@@ -108,7 +108,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
-        draw_up(draft, counted)
+        draw_up(draft, counted if fill == "essentials" else ())
         bed_down(draft)
         complete_sets(draft)
     if fill == "essentials":

@@ -123,10 +123,10 @@ def at_windows(situation: Situation) -> Iterator[Idea]:
 
 
 def _drops(situation: Situation, opening: Opening, size: Vec3 | None) -> tuple[float, ...]:
-    """How far down it hangs [m]: as it is, or to the sill, over what stands there."""
+    """How far down it hangs [m]: as it is, or to the sill or just short of it, over what stands there."""
     own, sizes = situation.size[2], situation.observation.sizes
-    to_sill = round(opening.height + 0.2, 3)
-    return (own, to_sill) if size is not None and sizes and sizes[0][2] <= to_sill < own else (own,)
+    shorter = (round(opening.height + 0.2, 3), round(opening.height + 0.05, 3))
+    return (own, *(drop for drop in shorter if size is not None and sizes and sizes[0][2] <= drop < own))
 
 
 def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:

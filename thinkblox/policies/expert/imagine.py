@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import product
 
 from thinkblox.assets import facts_of
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie, carries, is_object
 from thinkblox.policies.expert import (
@@ -32,6 +33,8 @@ from thinkblox.scene.pairs import FACING, NEAR
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
 from thinkblox.scene.room import turn_between
+from thinkblox.scene.saying import turned
+from thinkblox.scene.support import ON_FLOOR
 
 AT_COUNTER = (0.1, 0.2, 0.3)
 """Free distance of a stool to the counter that it stands at, the best first [m]."""
@@ -100,6 +103,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
+    if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
+        ideas = [_dearer(idea, ELSEWHERE if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
@@ -271,13 +276,17 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     """Along the walls, the nearer to such an opening the better."""
     room = situation.room
     centres = [room.walls[o.wall].point(o.offset + o.width / 2) for o in room.openings if o.kind == kind]
-    before = (wall for o in room.openings if o.kind == kind == "window" for wall in [room.walls[o.wall]])
+    before = [room.walls[o.wall] for o in room.openings if o.kind == kind == "window"]
     walled = situation.facts.is_in("walled")
     off = () if walled else walls.clear_of_windows(situation, before)
     served = situation.facts.is_in("served_over")
     flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
     behind = walls.BEHIND if served else _seats_behind(situation)
     candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
+    candidates += walls.end_on_beside(situation, kind) if served else ()
+    if kind == "window" and load_habits().tie(situation.target.category, "window") == "facing":
+        candidates = [_dearer(idea, TURNED_AWAY) for idea in candidates]
+        candidates += [_turned_round(idea) for idea in walls.clear_of_windows(situation, before)]
     for idea in candidates:
         if not centres:
             yield idea
@@ -285,6 +294,11 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
         x, y, _ = idea.position
         distance = min(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for cx, cy in centres)
         yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
+
+
+def _turned_round(idea: Idea) -> Idea:
+    yaw = (idea.yaw + 180.0) % 360.0
+    return replace(idea, yaw=yaw, words=(*idea.words[:-1], turned(yaw)), why="it looks out of the window")
 
 
 def _seats_behind(situation: Situation) -> float:

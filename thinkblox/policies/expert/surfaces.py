@@ -43,6 +43,10 @@ LOWER = 3.0
 """Cost of a shelf of what has a top, for what is to be on it; and of the top of shelves, for what nobody asked for."""
 FLAT = 0.5
 """Share of its shorter side that a thing is high at most, of which others like it lie on it."""
+AT_HAND = 1.1
+"""Height at which things on shelves are seen and taken best [m]: the shelves are filled from there."""
+REACHED = 1.6
+"""A top of shelves that is higher takes what is asked for only where no board has room, and nothing else [m]."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -50,14 +54,19 @@ HEADROOM = 0.02
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Places on each surface of the anchor, or inside it, that is large and high enough."""
     surfaces = tuple(s for s in situation.scene.asset_of(anchor).surfaces if _serves(s, tie))
+    if facts_of(anchor.category).is_in("shelves"):
+        surfaces = tuple(sorted(surfaces, key=lambda s: abs(anchor.position[2] + s.position[2] - AT_HAND)))
     tops = tuple(s for s in surfaces if s.headroom is None)
     if tie.kind == "inside" or not tops or _is_of_boards(anchor, surfaces):
         yield from _on_those(situation, anchor, tie, surfaces)
         return
     below = tuple(s for s in surfaces if s.headroom is not None)
-    shelved = not situation.target.asked and bool(below) and facts_of(anchor.category).is_in("shelves")
+    high = not tie.asked and any(anchor.position[2] + top.position[2] > REACHED for top in tops)
+    shelved = (high or not situation.target.asked) and bool(below) and facts_of(anchor.category).is_in("shelves")
     first, then = (below, tops) if shelved else (tops, below)
     yield from _on_those(situation, anchor, tie, first)
+    if shelved and high and not situation.target.asked:
+        return
     yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, then))
 
 

@@ -20,6 +20,8 @@ BESIDE_CORNER = 0.4
 """Left between a seat and its corner for a lamp or a small table [m]."""
 BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""
+END_ON = (0.45, 0.3, 0.75)
+"""Left between a door and a counter that stands end on to the wall beside it [m]."""
 ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
 WAITING = 2
@@ -100,6 +102,22 @@ def off_walls(situation: Situation, behind: float = BEHIND, *, turned_round: boo
             words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
             why = "somebody sits between it and the wall" if turned_round else "somebody stands between it and the wall"
             yield Idea((x, y, 0.0), yaw, words, why, idea.cost)
+
+
+def end_on_beside(situation: Situation, kind: str) -> Iterator[Idea]:
+    """Beside each door or window, one end at its wall and the front to who comes in: who serves has the room behind."""
+    depth, width, _ = situation.size
+    for opening in situation.room.openings:
+        if opening.kind != kind:
+            continue
+        wall = situation.room.walls[opening.wall]
+        for way in (1.0, -1.0):
+            for apart in END_ON:
+                edge = opening.offset + (opening.width if way > 0.0 else 0.0)
+                x, y = wall.point(edge + way * (apart + depth / 2), WALL_GAP + width / 2)
+                yaw = math.degrees(math.atan2(-way * wall.along[1], -way * wall.along[0])) % 360.0
+                words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+                yield Idea((x, y, 0.0), yaw, words, f"who comes in by {opening.id} comes to its front")
 
 
 def clear_of_windows(situation: Situation, walls: Iterable[Wall]) -> Iterator[Idea]:

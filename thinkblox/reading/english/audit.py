@@ -11,6 +11,7 @@ from thinkblox.reading.draft import MISSING, Mention
 from thinkblox.reading.english.across import settle_opposite_walls
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.doubts import Doubts
+from thinkblox.reading.english.front import settle_front
 from thinkblox.reading.english.second import SecondOpinion
 
 _SPELLED = 0.93
@@ -33,6 +34,7 @@ class Audit(Doubts):
         settle_opposite_walls(self.draft)
         self._doubts()
         self._ask_again()
+        settle_front(self.draft)
         for thing in list(self.draft.things):
             self._find_each(thing)
             self._contradicts(thing)

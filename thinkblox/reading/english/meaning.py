@@ -499,6 +499,7 @@ class Meanings:
         wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
             return None
+        self.referents.draft.speaks_of_front |= said.value == "front"
         hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
         return Meaning("on" if hangs and self._may_hang(subjects) else "against_wall", (wall,))
 

@@ -14,6 +14,8 @@ from thinkblox.reading.english.state import LOOKAHEAD
 
 _DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand that people take at a table."""
+_ANGLED = "L-shaped"
+"""What a corner sofa is wherever it stands."""
 
 
 class Naming(Several):
@@ -251,7 +253,7 @@ class Naming(Several):
         if word in grammar().lists["groups"]:
             self.groups[word] = thing
         if cornered:
-            self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
+            self.draft.bonds.append(Bond("in_corner", thing, ("corner",), asked=_ANGLED not in noun.attributes))
         if "facing" in noun.text.lower().split()[:-1] and noun.many:
             self.draft.bonds.append(Bond("facing", thing, (thing,)))
         if noun.rows:

@@ -211,6 +211,12 @@ class PhraseReader(Heads):
         if self._is_figure(noun, at, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
+        if (
+            units.nouns
+            and self._is_shape(at)
+            and all(u.known is None and singular(u.text) == u.text for u in units.nouns)
+        ):
+            return self._adjective(noun, at)
         return self._word(noun, at, units)
 
     def _word(self, noun: Noun, at: int, units: Units) -> int:

@@ -22,6 +22,8 @@ class Relating(Naming):
 
     def _relate(self, subjects: list[Mention], meaning: Meaning, *, negated: bool = False) -> None:
         """Bind subjects to what they are related to."""
+        if not negated and self._flanks_with(subjects, meaning):
+            return
         if not negated and (self._flanks(subjects, meaning) or self._are_on_two_walls(subjects, meaning)):
             return
         anchors = tuple(a for a in meaning.anchors if a not in subjects) or meaning.anchors
@@ -111,6 +113,27 @@ class Relating(Naming):
         for node in self.frontier:
             if node.things == [subject]:
                 node.things = [part, subject]
+        return True
+
+    def _flanks_with(self, subjects: list[Mention], meaning: Meaning) -> bool:
+        """Read "a bed, a nightstand with a lamp on each side" as two nightstands by the bed, each with its lamp."""
+        carrier = meaning.anchors[0]
+        if not (meaning.pointed and meaning.both) or len(subjects) != 1 or not isinstance(carrier, Mention):
+            return False
+        carried = subjects[0]
+        before = self.draft.things[: self.draft.things.index(carrier)] if carrier in self.draft.things else []
+        beside = [t for t in before if self.habits.tie(carrier.noun, t.noun) == "next_to"]
+        had = any(b.implied and b.anchors == (carrier,) for b in self.draft.bonds_of(carried))
+        lies = is_small(carried) or self.habits.is_in(carried.noun, "lamps")
+        if not (beside and had and lies and carrier.count == 1):
+            return False
+        meaning = replace(meaning, anchors=(beside[-1],))
+        if not self._flanks([carrier], meaning):
+            return False
+        both = tuple(b.subject for b in self.draft.bonds if b.anchors == meaning.anchors and self.sides.get(b.subject))
+        self.draft.bonds = [b for b in self.draft.bonds if b.subject is not carried]
+        carried.count = max(2, carried.count or 1)
+        bind(self.draft, Bond("on", carried, both))
         return True
 
     def _is_seated_on(self, table: Mention, anchors: tuple[Mention | str, ...]) -> bool:
