@@ -184,29 +184,18 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
-        told = () if _is_equipped(draft, table) and not free else counted
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *told)):
+        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *counted)):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
-
-
-def _is_equipped(draft: Draft, desk: Mention) -> bool:
-    """Whether the prompt has what one works with on it: a desk with a laptop is somebody's."""
-    return _is_desk(desk) and _has_usual(draft, desk, "desks")
 
 
 def _is_worked_on(draft: Draft, table: Mention) -> bool:
     """Whether what is to stand on it belongs on a worktop."""
-    return _has_usual(draft, table, "worktops")
-
-
-def _has_usual(draft: Draft, carrier: Mention, group: str) -> bool:
-    """Whether something is to stand on it that usually stands on things of a group."""
     habits = load_habits()
-    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and not b.negated and carrier in b.anchors]
+    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and not b.negated and table in b.anchors]
     usual = (habit for thing in carried for habit in habits.of(thing.noun)[:1] if habit.kind == "on")
-    return any(habits.is_in(name, group) for habit in usual for name in habit.anchors[:1])
+    return any(habits.is_in(name, "worktops") for habit in usual for name in habit.anchors[:1])
 
 
 def _has_its_table(draft: Draft, seat: Mention) -> bool:
