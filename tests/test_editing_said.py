@@ -729,3 +729,29 @@ def test_what_stays_on_a_thing_that_moves_goes_along() -> None:
 def test_the_other_side_of_a_desk_is_not_the_one_that_the_chair_is_at() -> None:
     before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("chair_1", 1.2, 2.6, 180.0, "floor"))
     assert edit_room(before, "Put the chair on the other side of the desk").failed
+
+
+def test_everything_from_two_things_leaves_both_where_they_are() -> None:
+    before = built(room(), ("sideboard_1", 5.7, 2.5, 180.0, "floor"), ("coffee_table_1", 3.0, 1.9, 90.0, "floor"),
+                   ("vase_1", 3.0, 1.9, 0.0, "coffee_table_1"), ("stool_1", 1.0, 4.0, 0.0, "floor"),
+                   ("table_lamp_1", 5.7, 2.5, 0.0, "sideboard_1"))  # fmt: skip
+    gone = {c.id for c in done(before, "Remove everything from the sideboard and the coffee table").changes}
+    assert gone == {"vase_1", "table_lamp_1"}
+    gone = {c.id for c in done(before, "Remove everything on the coffee table and the stool").changes}
+    assert gone == {"vase_1", "stool_1"}
+    with pytest.raises(InputError, match="in two orders"):
+        edit_room(before, "Remove everything on the sideboard and the coffee table")
+
+
+def test_next_to_the_others_is_next_to_those_of_its_kind() -> None:
+    before = built(room(), ("bookcase_1", 3.4, 4.75, 270.0, "floor"))
+    after = done(before, "Add another bookcase next to the others").scene
+    assert gap(after, "bookcase_1", "bookcase_2") < 0.5
+
+
+def test_back_to_back_and_a_chair_behind_a_desk() -> None:
+    with pytest.raises(InputError, match="back to back"):
+        edit_room(living(), "Put the armchair and the sofa back to back")
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"))
+    after = done(before, "Put a chair behind the desk").scene
+    assert measure(after, "at", "chair_1", ("desk_1",)).holds

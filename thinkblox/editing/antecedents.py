@@ -37,6 +37,7 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
                 _of_head(spared, phrase.noun if phrase.noun.kind == "thing" else before, by_place=True)
             mentions += [phrase.noun] if phrase.noun.kind == "thing" else []
             for where in phrase.places:
+                _of_others(where, phrase.noun, order, finder)
                 _of_place(where, before, order, mentions, finder)
                 mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
         for where in order.places:
@@ -116,6 +117,17 @@ def _of_head(phrase: NounPhrase, head: Noun | None, *, by_place: bool, one: bool
         head, det="the", plural=them or (noun.count or 1) > 1, count=noun.count, rows=noun.rows, ordinal=noun.ordinal,
         side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
     )  # fmt: skip
+
+
+def _of_others(where: Where, noun: Noun, order: Order, finder: Finder) -> None:
+    """Read "(add two chairs) next to the others" as next to those of the kind that are there."""
+    other = where.noun
+    new = order.doing in ("add", "put", "ensure") and noun.kind == "thing" and not noun.definite
+    bare = other is not None and other.det == "other" and other.kind in ("pronoun", "number")
+    if other is None or not (new and bare) or not other.text.lower().endswith(("others", "ones")):
+        return
+    if finder.matching(replace(noun, attributes=[], unshown=[], det="the", count=None, plural=True)):
+        where.noun = Noun("thing", noun.value, 0, 0, f"the other {noun.word}s", det="the", plural=True)
 
 
 def _of_place(where: Where, head: Noun | None, order: Order, mentions: Sequence[Noun], finder: Finder) -> None:

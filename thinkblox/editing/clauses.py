@@ -81,7 +81,8 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         unknown: takes what means nothing.
 
     Raises:
-        InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
+        InputError: it depends on a condition, asks for an edit to be taken back or for things back to back, or says
+            only what is not to be done.
     """
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
@@ -499,6 +500,11 @@ def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
             rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
+        mutual = grammar().at(tokens, index, "mutual")
+        if mutual is not None and mutual.value == "back_to_back":
+            raise InputError(
+                "how things stand 'back to back' is not followed; say of each what it is to face, and where"
+            )
     first = _first(tokens)
     if longest("undo", tokens, first) is not None:
         raise InputError(

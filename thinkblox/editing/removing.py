@@ -30,6 +30,9 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
         on = [w.noun for w in order.places if w.word in _RESTS and w.noun is not None and w.noun.kind == "thing"]
         finder.recent = [id for noun in on for id in finder.ids(NounPhrase(noun)) if id in work.scene] or finder.recent
         return
+    if order.rest and order.places:
+        _with_all_that_rests(work, finder, order)
+        return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
     ids: dict[str, None] = {}
@@ -44,6 +47,34 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
         ids |= dict.fromkeys(mate for id in tuple(ids) for mate in mates_of(work, finder, phrase, id))
     take_away(work, work.touched(ids))
     finder.recent = list(ids)
+
+
+def _with_all_that_rests(work: Work, finder: Finder, order: Order) -> None:
+    """Take what rests on several things: "everything from the bookcase and the table" is of the table too.
+
+    Of "everything on the desk and the chair", on which nothing rests, the chair goes itself.
+
+    Raises:
+        InputError: "everything on the desk and the table" could be either.
+    """
+    carriers, others = [where for where in order.places if where.word in _RESTS], list[NounPhrase]()
+    for phrase in order.things:
+        ids = named(finder, phrase, phrase.places)
+        bears = any(work.scene.riders(id) for id in ids)
+        last = carriers[-1] if carriers else None
+        if last is not None and not phrase.places and (last.word == "from" or bears):
+            if last.word != "from":
+                raise InputError(
+                    f"'{order.text}': {phrase.noun.text} could be what goes, or what everything goes from; say it in"
+                    " two orders"
+                )
+            order.places.append(replace(last, noun=phrase.noun))
+        else:
+            others.append(phrase)
+    gone = [id for where in order.places for id in left_over(work, finder, replace(order, places=[where], things=[]))]
+    gone += [id for phrase in others for id in named(finder, phrase, phrase.places)]
+    take_away(work, work.touched(dict.fromkeys(gone)))
+    finder.recent = gone
 
 
 def _meant(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> tuple[str, ...]:

@@ -347,8 +347,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
-            kind = cast(RelationKind, f"{noun.value}_of")
-            return Bound(kind, (opening_named(finder.scene, whole),), where.negated)
+            beside: RelationKind = "left_of" if noun.value == "left" else "right_of"
+            return Bound(beside, (opening_named(finder.scene, whole),), where.negated)
         if noun.value == "middle" and whole is not None and whole.kind == "place":
             return _middle_of(where, whole, finder)
         if noun.value == "middle":
@@ -748,7 +748,10 @@ def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder
         return usual if usual in ("at", "around") else cast(RelationKind, seated)
     if where.word == "to" and usual in ("at", "around", "on"):
         return usual
-    if kind in ("under", "inside") and facts_of(category).is_in("seating") and habits.is_in(name, "tables", "desks"):
+    seat = facts_of(category).is_in("seating")
+    if kind in ("under", "inside") and seat and habits.is_in(name, "tables", "desks"):
+        return "at"
+    if kind == "behind" and seat and habits.is_in(name, "desks") and asset.gaze == "back":
         return "at"
     if kind == "inside" and habits.is_in(name, *_OPEN_TOPS):
         return "on"
