@@ -61,6 +61,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
         "behind_it": {b.subject.noun for b in bonds if b.subject is not thing and b.kind == "behind"},
+        "before_it": {b.subject.noun for b in bonds if b.subject is not thing and b.kind == "in_front_of"},
         "has_to_it": {name for b in bonds if b.subject is not thing for name in _relations(b)},
         "has": company,
     }

@@ -60,6 +60,8 @@ class Ties(Relating):
         return noun is not None and noun.kind == "place"
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
+        if self.separator == "comma_and" and self._is_as_many(frame, thing):
+            return False
         told = self._told_of(frame, thing)
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
@@ -84,6 +86,11 @@ class Ties(Relating):
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._fits_in(frame, head, thing)
 
+    def _is_as_many(self, frame: Listed, thing: Mention) -> bool:
+        """Whether there is one for each of several in all: "four desks, each with a laptop, and four chairs"."""
+        head = frame.head.thing if frame.head is not None else None
+        return frame.each and head is not None and (head.count or 0) > 1 and thing.count == self.referents.total(head)
+
     def _is_past_contents(self, frame: Listed) -> bool:
         """Whether one thing was said to be all over or in another: "a fridge covered with postcards, a sink"."""
         first = self.named_by.get(frame.members[0]) if frame.members else None
@@ -95,6 +102,8 @@ class Ties(Relating):
         tie = self._tie(thing, frame)
         if frame.each and not frame.closing and self.separator in ("comma", "and") and self._told_at_end() is not None:
             return tie is not None
+        if frame.told and frame.each and not frame.closing and self.verb == "have" and self._is_listed_on():
+            return True
         if frame.closing and self.separator in ("comma", "comma_and"):
             return frame.each and self.separator == "comma_and" and tie in ("at", "around") and not self._told_apart()
         if tie is None or (self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each):
@@ -113,6 +122,16 @@ class Ties(Relating):
         if frame.told and tie not in _CARRIED:
             return pair
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
+
+    def _is_listed_on(self) -> bool:
+        """Whether a list goes on to its "and" and its end: "each has a locker on its left, | a table and a chair"."""
+        listed = self.chunks[self.at :]
+        ends = next((at for at, c in enumerate(listed) if self._is_link(c, "mark", "stop", "semicolon")), len(listed))
+        plain = all(
+            isinstance(c, Noun) or self._is_link(c, "mark", "comma") or self._is_link(c, "joins", "and")
+            for c in listed[:ends]
+        )
+        return plain and (self.separator == "and" or any(self._is_link(c, "joins", "and") for c in listed[:ends]))
 
     def _told_at_end(self) -> Connector | None:
         """How a list ends that says where each is to its head: "each with a desk, a chair and a bin under it"."""
