@@ -65,6 +65,7 @@ def related(brief: Brief) -> set[str]:
         ("Three shelves; every shelf holds four boxes, plus one more box that fell on the floor.", "13 box"),
         ("A four-bed ward. Every bed has a locker on its left.", "4 hospital_bed, 4 locker"),
         ("A bed and a wardrobe. Forget the wardrobe.", "1 bed"),
+        ("Like a mountain hut: fireplace going, boots drying.", "1 fireplace, 3 boots"),
         ("Four beds. Every bed has a locker on its left, a table and a chair.", "4 locker, 4 side_table, 4 chair"),
         ("Four desks, each with a laptop, and four chairs.", "4 desk, 4 laptop, 4 chair"),
         ("A desk with a bookcase behind it and two guest chairs in front of it.", "1 executive_desk, 2 visitor_chair"),
@@ -285,3 +286,8 @@ def test_each_has_its_own_looks(prompt: str, category: str, looks: str) -> None:
     brief = read_brief(prompt, fill="named")
     assert [word for word in brief.request(category).attributes if word in COLOURS or word == looks] == [looks]
     assert brief.unknown == ()
+
+
+def test_all_but_some_look_as_is_said() -> None:
+    brief = read_brief("Ten lockers against the wall, all but three are yellow.", fill="named")
+    assert sorted((r.count, r.attributes) for r in brief.requests) == [(3, ()), (7, ("yellow",))]

@@ -9,6 +9,7 @@ from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
+from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.slips import meant_by
@@ -51,7 +52,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(chunks)))).read()
+    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(chunks))))).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft

@@ -193,6 +193,7 @@ class Boundaries(State):
         self._go_past(noun)
         before = self.draft.bonds[-1] if self.draft.bonds else None
         self.referents.leave_out(thing, noun.count)
+        self._look_so(thing, noun)
         if before is not None and before.each and thing in before.anchors:
             left_out = set(map(id, self.referents.parts.get(thing, ())))
             before.anchors = tuple(a for a in before.anchors if id(a) not in left_out)
@@ -205,6 +206,11 @@ class Boundaries(State):
         self.frontier[-1].things = [thing]
         self.each = True
         return True
+
+    def _look_so(self, rest: Mention, left_out: Noun) -> None:
+        """Let the others look as is said of them: "all but three are yellow"."""
+        if not {"are", "is"}.isdisjoint(left_out.text.lower().split()):
+            rest.attributes += [look for look in left_out.attributes if look not in rest.attributes]
 
     def _all_but_one(self, link: Connector) -> bool:
         """Whether "every easel but the middle one" leaves out one that is not counted out; that is not understood."""

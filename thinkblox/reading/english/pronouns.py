@@ -63,6 +63,7 @@ class Pronouns(Numbers):
             return None
         self._go_past(barred)
         self.referents.leave_out(whole, barred.count)
+        self._look_so(whole, barred)
         return whole
 
     def _one_of_several(self, noun: Noun) -> None:
