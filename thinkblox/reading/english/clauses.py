@@ -123,6 +123,7 @@ class Clauses(Audit):
         if self._is_place_at_table(noun):
             return
         self._as_shade(noun)
+        self._as_cubicle(noun)
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and (self._is_label(noun) or self._is_for_every(noun)):
             self._spend(noun)
@@ -247,6 +248,11 @@ class Clauses(Audit):
         new = isinstance(listed, Noun) and listed.kind == "thing" and (listed.det == "a" or listed.count is not None)
         said = self.said or self.verb
         return said if noun.det == "the" and new and self.separator in ("", "comma") and not self.front else ""
+
+    def _as_cubicle(self, noun: Noun) -> None:
+        """Take the fitting rooms of a shop for cubicles in it rather than for another room."""
+        if noun.kind == "room" and noun.value == "fitting_room" and self.draft.room not in ("", "room", noun.value):
+            noun.kind, noun.value, noun.called = "thing", "changing_cubicle", "fitting room"
 
     def _as_shade(self, noun: Noun) -> None:
         """Take a colour that is a fruit too for one where it parts several: "three chairs, one orange and two grey"."""
