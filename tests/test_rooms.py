@@ -22,7 +22,7 @@ from thinkblox.reading import read_brief
         ("A wine shop with shelves and a tasting table", "wine_shop", "wine_bottle"),
         ("A bike shop", "bike_shop", "helmet"),
         ("A fish and chip shop", "takeaway", "deep_fryer"),
-        ("A fitting room", "fitting_room", "changing_room"),
+        ("A fitting room", "fitting_room", "changing_cubicle"),
         ("A camera shop", "shop", "camera"),
         ("A mobile phone shop with a counter", "shop", "phone"),
         ("A clock shop", "shop", "clock"),
