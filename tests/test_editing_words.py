@@ -389,6 +389,7 @@ def test_a_policy_that_cannot_go_on_ends_the_edit() -> None:
         edit_room(living(), "Move the armchair next to the sofa", policy=Gone())
 
 
+@pytest.mark.slow
 def test_a_server_that_is_not_there_leaves_nothing_behind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     save_room(done(living(), "Keep the sofa where it is."), tmp_path / "room", pictures=False, formats=())
     words = ["edit", str(tmp_path / "room"), "Move the armchair next to the sofa", "--out", str(tmp_path / "out")]

@@ -144,6 +144,7 @@ def test_what_was_stopped_goes_on(server: Stub, prompts: Path, tmp_path: Path) -
     assert len(server.seen) == asked + 2 + 4
 
 
+@pytest.mark.slow
 def test_a_model_that_is_not_there_is_found_out_before_the_others_are_measured(
     server: Stub, prompts: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -153,6 +154,7 @@ def test_a_model_that_is_not_there_is_found_out_before_the_others_are_measured(
     assert "gone: http://127.0.0.1:9/v1: cannot be reached" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_model_that_is_not_there_leaves_nothing(prompts: Path, tmp_path: Path) -> None:
     gone = ["evaluate", "--prompts", str(prompts), "--policy", "openai:http://127.0.0.1:9/v1#gone"]
     assert main([*gone, "--out", str(tmp_path / "some" / "where")]) == 2

@@ -75,14 +75,12 @@ def test_any_words_give_a_sound_brief(text: str) -> None:
 @pytest.mark.parametrize(
     "unit",
     [
-        "a bed, ",
         "each ",
-        "a chair on a table on ",
         "it ",
         "4 m x ",
         *(
             pytest.param(unit, marks=pytest.mark.slow)
-            for unit in ("a ", "very ", "with ", "((((", "no ", "aaaa", "foo ")
+            for unit in ("a bed, ", "a chair on a table on ", "a ", "very ", "with ", "((((", "no ", "aaaa", "foo ")
         ),
     ],
 )
