@@ -110,7 +110,8 @@ class Descriptions(Rooms):
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
-        self._faced_across(link, things[-2:] if len(things) > 1 else things)
+        if kind == "facing":
+            self._faced_across(link, things[-2:] if len(things) > 1 else things)
 
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""

@@ -38,7 +38,7 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
             return found.length if link is None or link.length <= found.length else 0
         if found.value == "clause":
             return _until(tokens, at, sentence=False)
-        if begins and (found.value != "remake" or after is not None):
+        if begins and (found.value != "remake" or (after is not None and at > 0)):
             return _until(tokens, at, sentence=_is_new_sentence(tokens, at))
     if tokens[at].text in grammar().lists["turned"] and (at + 1 == len(tokens) or tokens[at + 1].kind == "mark"):
         return 1
