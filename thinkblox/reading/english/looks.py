@@ -110,8 +110,7 @@ class Descriptions(Rooms):
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
-        if kind == "facing":
-            self._faced_across(link, things[-2:] if len(things) > 1 else things)
+        self._faced_across(link, things[-2:] if len(things) > 1 else things)
 
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""
@@ -119,6 +118,8 @@ class Descriptions(Rooms):
         over = (
             isinstance(ahead, Connector) and ahead.sort == "prepositions" and ahead.text.lower() in ("across", "over")
         )
+        if link.value != "facing":
+            return
         said = link.text.lower().endswith("across")
         noun = self._next_noun(1 if over and not said else 0) if over or said else None
         if noun is None or noun.kind not in ("thing", "pronoun") or not things:
