@@ -65,6 +65,7 @@ def related(brief: Brief) -> set[str]:
         ("Three shelves; every shelf holds four boxes, plus one more box that fell on the floor.", "13 box"),
         ("A four-bed ward. Every bed has a locker on its left.", "4 hospital_bed, 4 locker"),
         ("A bed and a wardrobe. Forget the wardrobe.", "1 bed"),
+        ("A bed with nightstands and lamps.", "1 bed, 2 nightstand, 2 table_lamp"),
         ("A clothes shop with two fitting rooms and a counter.", "2 changing_cubicle, 1 counter"),
         ("Like a mountain hut: fireplace going, boots drying.", "1 fireplace, 3 boots"),
         ("Four beds. Every bed has a locker on its left, a table and a chair.", "4 locker, 4 side_table, 4 chair"),

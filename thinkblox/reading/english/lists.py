@@ -32,6 +32,7 @@ class Memberships(Ties):
         if self.together is not None and not self._is_told_next():
             self._place_with(thing, self.together)
         before = frame.members[-1:]
+        self._lay_on_each(thing, self.frontier[-1].thing if self.frontier else None)
         self._member(thing, frame)
         self.draft.bonds += [replace(bond, subject=thing) for bond in frame.inherited]
         frame.inherited = []
@@ -116,6 +117,15 @@ class Memberships(Ties):
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"
         self._tie_to(frame, frame.head, thing, tie)
+
+    def _lay_on_each(self, thing: Mention, before: Mention | None) -> None:
+        """Put a lamp on each of the nightstands of "a bed with nightstands and lamps"."""
+        bare = thing.plural and thing.count is None and self.separator == "and" and not self._is_told_next()
+        if before is None or not bare or not before.many or not self.habits.is_in(thing.noun, "lamps"):
+            return
+        if self.habits.tie(thing.noun, before.noun) == "on":
+            thing.count, thing.owner = 1, before
+            bind(self.draft, Bond("on", thing, (before,), each=True, implied=True))
 
     def _begin_inner_list(self, frame: Listed) -> None:
         """Note where a list in a list begins: what follows an "and" and goes on after a comma is one by itself."""
