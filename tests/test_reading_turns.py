@@ -117,6 +117,7 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
         ("A sofa and two armchairs. One armchair is by the window, the other by the door. Between them a table.",
          "1 coffee_table between armchair armchair-2"),
         ("The drums? In the corner.", "2 drum in_corner corner"),
+        ("A drum kit in the corner, an amp left of the drums.", "1 amp left_of drum_kit"),
         ("A drum kit against the back wall, on a rug.", "1 drum_kit against_wall far_wall"),
         ("A lamp by the window, on a table.", "1 dining_table next_to window"),
         ("An office chair in front of the desk and facing it, a lamp by the door.", "1 office_chair facing desk"),

@@ -80,6 +80,7 @@ class Referents:
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
+            lambda t: noun.plural and t.noun in (f"{noun.value}_kit", f"{noun.value}_set"),
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
         )
