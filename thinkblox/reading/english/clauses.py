@@ -329,9 +329,8 @@ class Clauses(Audit):
     def _is_what_somebody_does(self, noun: Noun) -> bool:
         """Whether it is what the writer does rather than what is there: "I teach art"."""
         who = self._before(2)
-        doing = self._is_link(self._before(), "verbs", "other") and isinstance(who, Connector)
-        speaks = doing and isinstance(who, Connector) and who.text.lower() in ("i", "we")
-        return speaks and not noun.det and noun.count is None
+        speaks = isinstance(who, Connector) and who.text.lower() in ("i", "we")
+        return speaks and self._is_link(self._before(), "verbs", "other") and not noun.det and noun.count is None
 
     def _is_of_room(self, noun: Noun) -> bool:
         """Whether words that nobody knows only say what kind of room comes: "an instagram ready kitchen"."""

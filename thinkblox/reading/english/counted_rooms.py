@@ -22,8 +22,9 @@ def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
         if owed is not None:
             found += [owed, Connector("joins", "and", chunk.start, chunk.start)]
             owed = None
-        elif isinstance(chunk, Noun) and (thing := next(_counted(chunk), None)) is not None:
-            chunk.unshown.remove(f"{thing.text.split()[0]}-{thing.text.split()[1]}")
+        elif isinstance(chunk, Noun) and (counted := next(_counted(chunk), None)) is not None:
+            said, thing = counted
+            chunk.unshown.remove(said)
             if at + 1 < len(chunks) and is_link(chunks[at + 1], "prepositions", "with"):
                 owed = thing
             else:
@@ -31,15 +32,18 @@ def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
     return found
 
 
-def _counted(room: Noun) -> Iterator[Noun]:
-    """The four beds of a "four-bed ward"."""
+def _counted(room: Noun) -> Iterator[tuple[str, Noun]]:
+    """The words of the name of a "four-bed ward" that say so, and the four beds."""
     for said in room.unshown if room.kind in ("room", "abstract", "place") else ():
         number, _, what = said.partition("-")
         count = int(number) if number.isdecimal() else _number(number)
         name = name_of([what]) if what else None
         if name is not None and 0 < count <= _MOST:
             noun = replace(room, kind="thing", value=name.category, text=f"{number} {what}", called=singular(what))
-            yield replace(noun, det="", count=count, plural=count > 1, unshown=[], attributes=[], styles=[], size=None)
+            yield (
+                said,
+                replace(noun, det="", count=count, plural=count > 1, unshown=[], attributes=[], styles=[], size=None),
+            )
 
 
 def _number(word: str) -> int:

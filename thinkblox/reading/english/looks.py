@@ -114,12 +114,12 @@ class Descriptions(Rooms):
 
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""
+        if link.value != "facing":
+            return
         ahead = self.peek()
         over = (
             isinstance(ahead, Connector) and ahead.sort == "prepositions" and ahead.text.lower() in ("across", "over")
         )
-        if link.value != "facing":
-            return
         said = link.text.lower().endswith("across")
         noun = self._next_noun(1 if over and not said else 0) if over or said else None
         if noun is None or noun.kind not in ("thing", "pronoun") or not things:

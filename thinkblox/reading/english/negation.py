@@ -176,8 +176,7 @@ class Negation(Positions):
 
     def _is_cancelled(self, noun: Noun) -> bool:
         """Whether what was named is taken back: "forget the drape"."""
-        at = self.chunks.index(noun)
-        said = self.chunks[at - 1] if at else None
+        said = self._before()
         cancels = isinstance(said, Connector) and said.text.lower() in grammar().lists["cancelling"]
         return cancels and noun.det in ("the", "my") and not self._is_link(self.peek(), "prepositions")
 

@@ -37,11 +37,9 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value == "each" and self._ends_with_them(start, start + pronoun.length):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
-        if (after_preposition and self._is_each_of_those(start)) or (
-            pronoun is not None and pronoun.value == "each" and self._counts_after(start, pronoun.length)
-        ):
-            end = start + 1 if pronoun is None or self._is_each_of_those(start) else start + pronoun.length
-            return self._finished(Noun("pronoun", "each", start, end, "each"))
+        each = pronoun.length if pronoun is not None and pronoun.value == "each" else 0
+        if length := self._each_before_number(start, each, after_preposition=after_preposition):
+            return self._finished(Noun("pronoun", "each", start, start + length, "each"))
         if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
             after = self._known(start + pronoun.length, "attribute", "style")
             if after is not None and not self._starts_noun(start + pronoun.length + after.length):
@@ -72,6 +70,12 @@ class PhraseReader(Heads):
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
         ends = self._text(start, end).lower().endswith((" them", " which"))
         return ends and grammar().at(self.tokens, end, "determiners", "count", "vague") is not None
+
+    def _each_before_number(self, start: int, length: int, *, after_preposition: bool) -> int:
+        """Length of an "each" after which so many of something new come; 0 where it belongs to what follows."""
+        if after_preposition and self._is_each_of_those(start):
+            return 1
+        return length if length and self._counts_after(start, length) else 0
 
     def _is_each_of_those(self, start: int) -> bool:
         """Whether "each" ends, and a number of something new comes: "under each | one sports bag"."""

@@ -93,10 +93,8 @@ class Pronouns(Numbers):
     def _half_of(self, noun: Noun) -> Mention | None:
         """The benches of "each bench has two stools and a burner, and half of them carry a microscope"."""
         head = self.frontier[0].thing if len(self.frontier) > 1 else None
-        having = self._is_link(self.peek(), "verbs", "have", "carry", "hold")
-        having |= self._is_link(self.peek(), "fillers") and self._is_link(
-            self.peek(1), "verbs", "have", "carry", "hold"
-        )
+        filled = self._is_link(self.peek(), "fillers")
+        having = self._is_link(self.peek(int(filled)), "verbs", "have", "carry", "hold")
         return head if noun.value == "half" and having and head is not None and head.many else None
 
     def _is_somebodys(self, noun: Noun) -> bool:
