@@ -87,7 +87,7 @@ def _objects(group: Sequence[Judgement]) -> Share:
 
 def _by_relation(title: str, judgements: Sequence[Judgement], kind: Kind) -> Table:
     rows = rows_of(judgements, kind)
-    names = sorted({row.about for row in rows}, key=lambda name: -sum(row.about == name for row in rows))
+    names = sorted({row.about for row in rows}, key=lambda name: (-sum(row.about == name for row in rows), name))
     cells = [(name, [row for row in rows if row.about == name]) for name in names] + [(TOTAL, rows)]
     return Table(
         title,
