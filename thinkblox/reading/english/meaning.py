@@ -223,7 +223,14 @@ class Meanings:
         if whole and len(family := self.referents.family(anchors[0])) > 1:
             anchors = tuple(t for t in family if t not in subjects) or anchors
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
-        return self._fitting(meaning, subjects, noun, where.word) if anchors else None
+        return self._fitting(meaning, subjects, noun, where.word) if anchors else self._openings(where, said)
+
+    def _openings(self, where: Where, said: Noun) -> Meaning | None:
+        """Read "three windows and a desk under each of them", where no other thing is several."""
+        gap = next((gap for gap in reversed(self.referents.draft.openings) if gap.count > 1), None)
+        if gap is None or said.value not in ("each", "them"):
+            return None
+        return opening(where.word, gap.kind, gap.count if said.value == "each" else 0)
 
     def _was_parted_last(self, anchors: tuple[Mention, ...]) -> bool:
         """Whether some of several were told apart just now, and nothing of the others since."""
@@ -522,7 +529,7 @@ class Meanings:
         if name == "corner":
             return corner(word, said, walls, several)
         if name in _OPENINGS:
-            return opening(word, name) if said.det != "other" else None
+            return opening(word, name, self._gaps(said)) if said.det != "other" else None
         if name == "ceiling":
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
@@ -532,6 +539,13 @@ class Meanings:
         if meaning is not None and walls:
             meaning.anchors = (name, *walls)
         return meaning
+
+    def _gaps(self, said: Noun) -> int:
+        """How many windows or doors "under each window" and "by both windows" are; 0 where one is meant."""
+        if not said.each and said.det not in ("both", "all"):
+            return 0
+        named = sum(gap.count for gap in self.referents.draft.openings if gap.kind == said.value)
+        return named if named > 1 else _SIDES
 
     def _centre(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str

@@ -47,16 +47,21 @@ def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | N
     return Meaning("in_corner", tuple(walls) or ("corner",), times=times if each else 1, spread=spread)
 
 
-def opening(word: str, name: str) -> Meaning | None:
-    """What stands so to a window or door."""
+def opening(word: str, name: str, several: int = 0) -> Meaning | None:
+    """What stands so to a window or door, or to each of `several`."""
+    kind = _at_opening(word)
+    return Meaning(kind, (name,), times=max(several, 1), spread=several) if kind else None
+
+
+def _at_opening(word: str) -> str:
     match word:
         case "near" | "far" | "facing" | "opposite" | "left_of" | "right_of" | "above" | "outside":
-            return Meaning(word, (name,))
+            return word
         case "by" | "next_to" | "at" | "under" | "in_front_of" | "against" | "on" | "along" | "to" | "in":
-            return Meaning("next_to", (name,))
+            return "next_to"
         case "between" | "behind":
-            return Meaning("near", (name,))
-    return None
+            return "near"
+    return ""
 
 
 def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meaning | None:

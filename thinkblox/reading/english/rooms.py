@@ -21,6 +21,8 @@ _THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
 """What rooms are called that are for children."""
 _PARTS = ("wall", "floor", "corner", "ceiling")
 """Parts of a room that words before them tell apart."""
+_PAIR = 2
+"""How many windows "both windows" and "each window" are where none was named."""
 _WITHIN = ("of", "at", "in", "on")
 """Prepositions between a room and what it belongs to."""
 _SIDE_ROOMS = (["front"], ["back"], ["main"], ["side"], ["rear"])
@@ -347,10 +349,11 @@ class Rooms(Memberships):
         return said or grammar().knows(word, "determiners", "count", "evaluative", "fillers", "vague")
 
     def _note_several(self, noun: Noun) -> None:
-        """Ask for the windows of "between two windows"."""
-        if (noun.count or 0) > sum(gap.count for gap in self.draft.openings if gap.kind == noun.value):
+        """Ask for the windows of "between two windows", "under each window"."""
+        several = noun.count or (_PAIR if noun.each or noun.det in ("both", "all") else 0)
+        if several > sum(gap.count for gap in self.draft.openings if gap.kind == noun.value):
             self.draft.openings = [gap for gap in self.draft.openings if gap.kind != noun.value]
-            self.draft.openings.append(Gap(noun.value, noun.count or 1))
+            self.draft.openings.append(Gap(noun.value, several))
 
     def _note_side(self, noun: Noun) -> None:
         """Ask for the window of "under the east window" in that wall."""
