@@ -31,6 +31,7 @@ from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
 from thinkblox.reading import read_brief
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth, separation
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
@@ -202,6 +203,19 @@ def test_two_desks_that_face_each_other_stand_back_to_back():
     assert abs((one.yaw - other.yaw) % 360.0 - 180.0) < 1.0
     assert gap(one, other) < 0.7
     assert one.to_local((other.position[0], other.position[1]))[0] < 0.0
+
+
+def test_each_window_has_a_desk_of_its_own():
+    done = room("A study with three windows and a desk under each of them.")
+    desks, windows = of(done, "desk"), [o.id for o in done.scene.room.openings if o.kind == "window"]
+    assert len(windows) == 3
+    for window in windows:
+        assert sum(measure(done.scene, "next_to", desk.id, [window]).holds for desk in desks) == 1
+
+
+def test_a_sofa_has_its_back_to_what_it_faces_away_from():
+    done = room("A living room with a sofa that faces away from the window, and a TV opposite it.")
+    assert measure(done.scene, "facing_away", "sofa_1", ["window"]).holds
 
 
 def test_chairs_at_one_table_are_drawn_up_alike():

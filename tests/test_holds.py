@@ -139,6 +139,12 @@ def test_back_to_back(apart: float, turn: float, holds: bool) -> None:
     assert measure(scene, "back_to_back", "sofa_1", ["sofa_2"]).holds is holds
 
 
+@pytest.mark.parametrize(("turn", "holds"), [(180.0, True), (140.0, True), (90.0, False), (0.0, False)])
+def test_a_back_is_to_what_one_does_not_face(turn: float, holds: bool) -> None:
+    scene = scene_of(thing("chair_1", CHAIR, 3.0, 2.0, turn), thing("chair_2", CHAIR, 4.2, 2.0, 0.0))
+    assert measure(scene, "facing_away", "chair_1", ["chair_2"]).holds is holds
+
+
 def shelves(*spots: tuple[float, float, float]) -> Scene:
     return scene_of(*(thing(f"shelf_{n}", (0.3, 0.8, 1.8), x, y, yaw) for n, (x, y, yaw) in enumerate(spots, 1)))
 

@@ -21,6 +21,7 @@ RelationKind = Literal[
     "around",  # several, evenly about the anchor and facing it
     "between",  # between two anchors, or between the members of one
     "facing",  # its front points at the anchor
+    "facing_away",  # its back points at the anchor
     "opposite",  # across the room from the anchor, facing it
     "near",  # within 1.5 m
     "far",  # well away from it: over 4 m, or over 2 m in a room too small for that

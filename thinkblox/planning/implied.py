@@ -11,7 +11,7 @@ from thinkblox.planning.asked import rows_for, share
 from thinkblox.planning.members import Member, Members
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
-_WITHOUT_PLACE = ("facing", "opposite")
+_WITHOUT_PLACE = ("facing", "facing_away", "opposite")
 """Relations that say where a thing looks, not where it stands."""
 _EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "in_centre", "in_corner")
 """Relations whose space is taken by whatever came first."""

@@ -29,7 +29,7 @@ def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | 
     if name == "floor":
         return ("on", (name,)) if kind in ("on", "in") else None
     if name in ("window", "door"):
-        keep = kind in ("facing", "opposite", "left_of", "right_of", "above")
+        keep = kind in ("facing", "facing_away", "opposite", "left_of", "right_of", "above")
         return (relation_kind(kind) if keep else "near", (name,))
     if name.endswith("wall"):
         return (relation_kind(kind) if kind in ("facing", "opposite") else "against_wall", (name,))
@@ -45,7 +45,7 @@ def bind(draft: Draft, bond: Bond) -> None:
     """Add a bond, turned the right way round, in place of a weaker one that it makes more exact."""
     anchor = bond.anchors[0] if bond.anchors else None
     if isinstance(anchor, Mention):
-        if anchor is bond.subject and bond.kind not in ("facing", "next_to"):
+        if anchor is bond.subject and bond.kind not in ("facing", "next_to", "back_to_back"):
             return
         if bond.kind == "between" and (neighbours := _neighbours(bond)):
             draft.bonds += neighbours[1:]

@@ -6,6 +6,7 @@ handbooks (Neufert, Time-Saver Standards).
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import shapely
 from shapely import Point
@@ -25,8 +26,8 @@ FAR = 4.0
 """A gap from which things are far from each other; SceneEval far."""
 FAR_IN_SMALL, SMALL_ROOM = 2.0, 5.0
 """The same in a room whose diagonal is less than this."""
-FACING = 30.0
-"""Largest angle between a front and the direction to what it faces; SceneEval face_to."""
+FACING, FACING_AWAY = 30.0, 45.0
+"""Largest angle between a front and what it faces, SceneEval face_to; and between a back and what it is turned from."""
 AGAINST_WALL = 0.3
 """Largest gap to a wall; SceneEval against_wall."""
 ON_WALL = 0.01
@@ -78,6 +79,14 @@ def facing(subject: Landmark, anchor: Landmark) -> Finding:
         return True, f"{subject.name} faces every way"
     angle = angle_to(subject, anchor)
     return angle <= FACING + ROUNDING, f"front of {subject.name} {angle:.0f} degrees off {anchor.name}"
+
+
+def _facing_away(subject: Landmark, anchor: Landmark) -> Finding:
+    """Its back, or that of who uses it, points at the anchor."""
+    if subject.front == "any":
+        return True, f"{subject.name} has no back"
+    angle = angle_to(replace(subject, gaze=subject.gaze + 180.0), anchor)
+    return angle <= FACING_AWAY + ROUNDING, f"back of {subject.name} {angle:.0f} degrees off {anchor.name}"
 
 
 def facing_each_other(one: Landmark, other: Landmark) -> Finding:
@@ -338,6 +347,7 @@ _PAIRS: dict[RelationKind, Pair] = {
     "back_to_back": _back_to_back,
     "at": _at,
     "facing": facing,
+    "facing_away": _facing_away,
     "opposite": _opposite,
     "against_wall": _against_wall,
     "in_corner": _in_corner,

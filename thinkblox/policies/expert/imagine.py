@@ -1,7 +1,7 @@
 """From a target's relations to ideas: the first tie decides where to look, the room itself is the last resort."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -28,7 +28,7 @@ from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.needs import WORKING, backs_worker
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
-from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.pairs import FACING, NEAR
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
@@ -67,6 +67,8 @@ BY_ANOTHER = 2.0
 """Cost of standing by another of the anchor's kind than its own."""
 UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
+_TURNED = ("facing", "facing_away")
+"""Relations that say how a thing is turned, not where it stands."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
 """Relations that decide where those stand who look at each other."""
 SIDE_GAP, SEATED_BEFORE = 0.01, 0.8
@@ -110,7 +112,7 @@ def from_ties(situation: Situation) -> list[Idea]:
 
 def _looks_at_place(tie: Tie) -> bool:
     """Whether it is asked to look at a door, a window or a wall, which decides before any habit where it stands."""
-    return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(map(is_object, tie.anchors))
+    return tie.kind in _TURNED and tie.asked and bool(tie.anchors) and not any(map(is_object, tie.anchors))
 
 
 def _before_staff(situation: Situation) -> Iterator[Idea]:
@@ -234,8 +236,8 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return anywhere(situation)
     if tie.kind == "opposite" and place in ("window", "door"):
         return walls.across_from(situation, place)
-    if tie.kind == "facing":
-        return _turned_to(situation, place)
+    if tie.kind in _TURNED:
+        return _turned_to(situation, things(situation.scene, place), tie.kind)
     if place in ("window", "door"):
         return _near_openings(situation, place)
     return _by_wall(situation, tie, place)
@@ -258,10 +260,9 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
             yield idea
 
 
-def _turned_to(situation: Situation, place: str) -> Iterator[Idea]:
-    """Along the walls and on the floor, whichever way looks at a part of the room."""
-    marks = things(situation.scene, place)
-    away = 180.0 if situation.asset.gaze == "back" else 0.0
+def _turned_to(situation: Situation, marks: Sequence[Landmark], kind: str) -> Iterator[Idea]:
+    """Along the walls and on the floor, whichever way looks at what is marked, or has its back to that."""
+    away = 180.0 if (situation.asset.gaze == "back") != (kind == "facing_away") else 0.0
     along = UNSERVED if situation.facts.is_in("served_over") else 0.0
     flush = (_dearer(idea, along) for idea in walls.along_walls(situation))
     for idea in (*flush, *walls.off_walls(situation), *open_floor.grid(situation)):
@@ -607,6 +608,7 @@ _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "at": around.at_desk,
     "around": around.around,
     "facing": _facing,
+    "facing_away": lambda s, a, t: _turned_to(s, things(s.scene, a.id), t.kind),
     "opposite": _opposite,
     "near": _near,
 }

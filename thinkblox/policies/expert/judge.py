@@ -206,7 +206,7 @@ def _unmet(situation: Situation, idea: Idea) -> float:
     scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
     cost = 0.0
     ties = situation.target.ties
-    if any(tie.kind == "facing" and tie.asked for tie in ties):
+    if any(tie.kind in ("facing", "facing_away") and tie.asked for tie in ties):
         ties = tuple(tie for tie in ties if tie.asked or tie.kind != "against_wall")
     for tie in ties:
         if (

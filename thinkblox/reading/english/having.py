@@ -106,6 +106,8 @@ class Having(Groups):
         if part.value in ("head", "back") and (link.value == "against" or (link.value in ("to", "facing") and wall)):
             if link.value == "facing":
                 self.chunks[self.at] = replace(link, value="against")
+        elif part.value == "back" and link.value in ("facing", "to", "near", "on"):
+            self.chunks[self.at] = replace(link, value="facing_away")
         elif part.value == "front" and link.value in ("facing", "to"):
             self.chunks[self.at] = replace(link, value="facing")
         elif link.value in ("against", "facing", "to"):

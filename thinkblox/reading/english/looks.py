@@ -167,7 +167,7 @@ class Descriptions(Rooms):
     def _mutual_within(self, link: Connector, thing: Mention) -> None:
         """Read how the members of one plural thing stand to each other; what we do not know of them is said."""
         kind = relation_kind(link.value)
-        if kind in ("facing", "next_to"):
+        if kind in ("facing", "next_to", "back_to_back"):
             bind(self.draft, Bond(kind, thing, (thing,)))
         elif link.value == "around":
             self.circles.append((thing, link))

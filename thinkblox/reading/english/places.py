@@ -55,7 +55,7 @@ def opening(word: str, name: str, several: int = 0) -> Meaning | None:
 
 def _at_opening(word: str) -> str:
     match word:
-        case "near" | "far" | "facing" | "opposite" | "left_of" | "right_of" | "above" | "outside":
+        case "near" | "far" | "facing" | "facing_away" | "opposite" | "left_of" | "right_of" | "above" | "outside":
             return word
         case "by" | "next_to" | "at" | "under" | "in_front_of" | "against" | "on" | "along" | "to" | "in":
             return "next_to"
@@ -74,7 +74,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
             name = "opposite_wall"
         elif (said.count == 1 and text.startswith("one")) or "same" in text.split():
             name = "one_wall"
-    if word in ("facing", "opposite", "far"):
+    if word in ("facing", "facing_away", "opposite", "far"):
         return Meaning(word, (name,), times=several or 2 if each else 1, loose=each)
     times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
     if each and name in ("left_wall", "right_wall"):
