@@ -12,6 +12,7 @@ from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -52,7 +53,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(chunks))))).read()
+    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(with_laid(chunks)))))).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft

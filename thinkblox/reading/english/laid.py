@@ -1,0 +1,55 @@
+"""What lies spread over something lies on it: "a blanket draped over the sofa", "toys scattered about the room"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.grammar import grammar
+
+_OVER = ("over", "across", "all over", "all across", "throughout")
+_ABOUT = (*_OVER, "about", "around", "all around")
+"""How far what is spread reaches over a thing, and about a room."""
+_PARTS = ("arm", "armrest", "back", "edge", "side", "rim", "end", "foot", "corner", "top")
+"""Parts of furniture that something hangs over."""
+
+
+def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which what is draped or strewn over something is on it, and about the room on its floor."""
+    made = list(chunks)
+    at = 1
+    while at < len(made) - 1:
+        link, where = made[at], made[at + 1]
+        if isinstance(link, Connector) and link.sort == "prepositions" and isinstance(where, Noun):
+            made[at:] = _laid(made[:at], link, where, made[at + 2 :])
+        at += 1
+    return made
+
+
+def _laid(before: list[Chunk], link: Connector, where: Noun, after: list[Chunk]) -> list[Chunk]:
+    text, spread = link.text.lower(), _is_laid(before[-1])
+    on = replace(link, value="on", text="on")
+    if where.kind == "room" and spread and text in _ABOUT:
+        return [on, replace(where, kind="place", value="floor"), *after]
+    if text not in _OVER or (where.kind == "place" and where.value != "floor"):
+        return [link, where, *after]
+    if not spread and not (text == "over" and _is_soft(before)):
+        return [link, where, *after]
+    if where.word not in _PARTS:
+        return [on, where, *after]
+    following = after[0] if after else None
+    if isinstance(following, Connector) and following.value == "of":
+        return [on, *after[1:]]
+    return [on, replace(where, kind="pronoun", value="it", det="", text="it"), *after]
+
+
+def _is_laid(chunk: Chunk) -> bool:
+    if not isinstance(chunk, Connector) or chunk.sort not in ("participles", "verbs"):
+        return False
+    return not grammar().lists["laid"].isdisjoint(chunk.text.lower().split())
+
+
+def _is_soft(before: list[Chunk]) -> bool:
+    """Whether it hangs down over what it is on: "a coat over the chair", "a towel hangs over the rail"."""
+    links = ("verbs", "participles")
+    said = next((c for c in reversed(before) if not (isinstance(c, Connector) and c.sort in links)), None)
+    return isinstance(said, Noun) and said.kind == "thing" and said.word in grammar().lists["soft"]
