@@ -49,6 +49,9 @@ _LINKS = (
 )
 
 
+_PAIR = 2
+
+
 class Cutter:
     """Cuts the tokens of one text into chunks."""
 
@@ -265,8 +268,8 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
-        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._after_modal()
-        return found or self._described() or self._said_round()
+        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
+        return found or self._after_modal() or self._described() or self._said_round()
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""
@@ -310,8 +313,12 @@ class Cutter:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
         before, token = self._text_at(self.at - 1) if self.at else "", self.tokens[self.at]
         modal = grammar().lists["modals"]
-        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people()):
+        if token.text in modal and self._asks():
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people() or self._after_it()):
+            return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if self._is_told_able(modal):
+            return Connector("fillers", "words", self.at, self.at + 2, f"{token.shown} {self._text_at(self.at + 1)}")
         if before == "and" and self._goes_on_doing(modal):
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
         infinitive = before == "to" and self.at > 1 and self._text_at(self.at - 2) in grammar().lists["wishes"]
@@ -322,6 +329,12 @@ class Cutter:
             return None
         people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
         return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
+
+    def _asks(self) -> bool:
+        """Whether a question begins: "Can the bench be far from the door?"."""
+        last = self.made[-1] if self.made else None
+        begins = last is None or (isinstance(last, Connector) and last.sort in ("mark", "joins", "fillers"))
+        return begins and grammar().at(self.tokens, self.at + 1, "determiners", "pronouns", "fillers") is not None
 
     def _infinitive(self) -> Connector | None:
         """Read the "to" of "a place to eat", "waiting to be cleared", which is beside nothing."""
@@ -349,6 +362,26 @@ class Cutter:
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None
         return isinstance(last, Noun) and last.kind == "people"
+
+    def _after_it(self) -> bool:
+        """Whether a pronoun comes before, of which "can drive" is said."""
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Noun) and last.kind == "pronoun" and last.end == self.at
+
+    def _is_told_able(self, modal: frozenset[str]) -> bool:
+        """Whether "a lamp that can rotate" goes on, and no verb that has "can" in it."""
+        told = self._text_at(self.at) in ("that", "which") and self._text_at(self.at + 1) in modal
+        known = [link for at in (self.at, self.at + 1) for link in grammar().all_at(self.tokens, at, *_LINKS)]
+        return told and self._after_noun() and all(link.length < _PAIR for link in known)
+
+    def _ability(self) -> Stray | None:
+        """Read what no room shows of a thing: "that can rotate"."""
+        if not self._is_told_able(grammar().lists["modals"]) or self.at + _PAIR >= len(self.tokens):
+            return None
+        doing = self.at + _PAIR
+        if self.tokens[doing].kind != "word" or grammar().at(self.tokens, doing, *_LINKS, "determiners", "states"):
+            return None
+        return Stray(self.at, doing + 1, " ".join(token.shown for token in self.tokens[self.at : doing + 1]))
 
     def _goes_on_doing(self, modal: frozenset[str]) -> bool:
         """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""

@@ -31,7 +31,7 @@ class Pronouns(Numbers):
                 if self.frontier:
                     self.frontier[0].each = self.each = True
             case "them":
-                self._resume(list(self.referents.several([], "")), noun)
+                self._resume(self._they(), noun)
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
                 self.each = True
@@ -39,6 +39,13 @@ class Pronouns(Numbers):
                 self._all(noun)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _they(self) -> list[Mention]:
+        """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""
+        found = list(self.referents.several([], ""))
+        joined = self.clause.last_joined() or self.referents.joined
+        lone = len(found) == 1 and not found[0].many
+        return list(joined) if lone and joined else found
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
