@@ -83,3 +83,69 @@ def test_they_are_the_things_that_were_joined() -> None:
 
 def test_a_keyboard_stands_on_a_stand_of_its_own() -> None:
     assert "1 electric_piano on keyboard_stand" in related(read_brief("A music studio with a keyboard on a stand."))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kept", "barred"),
+    [
+        ("A garage with a bike. Car should NOT be in there, just a shelf.", "1 bicycle, 1 shelving_unit", "car"),
+        ("A kitchen with a table. Chairs must not be there and a lamp hangs over it.", "1 kitchen_table", "chair"),
+        ("Carpets should never be in this bathroom. A bath.", "1 bathtub", "rug"),
+        ("A den with a sofa and a TV. The TV should not be in here.", "1 sofa", "tv"),
+        ("An office with a desk and a printer. The printer leaks, get rid of it.", "1 desk", "printer"),
+        ("A sofa and a rug. The rug looks old, remove it.", "1 sofa", "rug"),
+    ],
+)
+def test_what_is_not_to_be_in_the_room_is_left_out(prompt: str, kept: str, barred: str) -> None:
+    brief = read_brief(prompt)
+    assert set(kept.split(", ")) <= set(_asked(brief).split(", "))
+    assert barred not in _asked(brief).replace(",", "").split()
+    assert brief.excluded == (barred,)
+
+
+def test_some_of_several_are_taken_away() -> None:
+    brief = read_brief("Four chairs around a table. One of the chairs broke, take it out.")
+    assert (sorted(_asked(brief).split(", ")), brief.unknown) == (["1 dining_table", "3 chair"], ())
+    assert read_brief("A desk with a lamp. It broke, remove it.").unknown == ("broke", "remove it")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("2 washers, sorry, one washer and one dryer on top of it.", "1 dryer, 1 washing_machine"),
+        ("A desk with a monitor, sorry, two monitors and a keyboard on it.", "1 desk, 1 keyboard, 2 monitor"),
+        ("A red sofa, no, a blue sofa with two cushions on it.", "1 sofa, 2 pillow"),
+        ("A room with four chairs. Actually, make that six chairs around a table.", "1 dining_table, 6 chair"),
+        ("A sofa. Sorry, two sofas facing each other.", "2 sofa"),
+        ("A bathroom with a toilet, a bathtub - no wait, skip the bathtub.", "1 toilet"),
+    ],
+)
+def test_what_is_put_right_replaces_what_was_said(prompt: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    assert sorted(_asked(brief).split(", ")) == sorted(asked.split(", "))
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A red chair and a blue chair. The red one is by the window.", {"1 chair next_to window"}),
+        ("Three lamps and a red chair. The red one is in the corner.", {"1 chair in_corner corner"}),
+        ("A wooden desk and a glass desk. On the glass one is a laptop.", {"1 laptop on desk-2"}),
+        (
+            "Two desks. Anna's is by the window, Tom's is in the corner.",
+            {"1 desk next_to window", "1 desk-2 in_corner corner"},
+        ),
+        ("Two beds. Mia's has a blanket. Mia's is by the door.", {"1 blanket on bed", "1 bed next_to door"}),
+    ],
+)
+def test_one_is_told_by_its_look_or_its_owner(prompt: str, relations: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert related(brief) == relations
+    assert brief.unknown == ()
+
+
+def test_what_somebodys_looks_like() -> None:
+    brief = read_brief("A bedroom with two beds. Mrs Olsen's is the green one.", fill="named")
+    assert sorted(r.attributes for r in brief.requests) == [(), ("green",)]
+    assert brief.unknown == ()

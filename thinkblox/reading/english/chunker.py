@@ -50,6 +50,8 @@ _LINKS = (
 
 
 _PAIR = 2
+_LONGEST_ORDER = 4
+"""Most words of an order to take something away."""
 
 
 class Cutter:
@@ -120,7 +122,7 @@ class Cutter:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
-        if (whole := self._surface() or self._correction() or self._unread()) is not None:
+        if (whole := self._surface() or self._correction() or self._removal() or self._unread()) is not None:
             return whole
         if length := self._numbering():
             return Connector("fillers", "words", self.at, self.at + length, token.shown)
@@ -149,6 +151,16 @@ class Cutter:
         last = self.made[-1] if self.made else None
         return isinstance(last, Connector) and last.value == "leave"
 
+    def _removal(self) -> Connector | None:
+        """Read "take it out", where the sentence named what is to go."""
+        for length in range(_LONGEST_ORDER, 1, -1):
+            words = [token.text for token in self.tokens[self.at : self.at + length]]
+            if " ".join(words) in grammar().lists["removals"] and len(words) == length:
+                ends = self.at + length >= len(self.tokens) or self.tokens[self.at + length].kind == "mark"
+                text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+                return Connector("negations", "remove", self.at, self.at + length, text) if ends else None
+        return None
+
     def _unread(self) -> Stray | None:
         unread = self._phrases.unread_at(self.at)
         if not unread or self._is_said_of_it():
@@ -161,13 +173,23 @@ class Cutter:
         length = correction_at(self.tokens, self.at)
         if not length or not self.made or self.at + length >= len(self.tokens):
             return None
+        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        skips = grammar().at(self.tokens, self.at + length, "negations")
+        if skips is not None and skips.value == "exclude":
+            return Connector("fillers", "words", self.at, self.at + length, text)
         noun = self._phrases.read(self.at + length)
         if noun is None or noun.kind not in ("thing", "number") or noun.definite or not (noun.det or noun.count):
             return None
-        if noun.end < len(self.tokens) and self.tokens[noun.end].kind != "mark":
+        ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
+        if not ends and not self._is_named_last(noun):
             return None
-        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
         return Connector("corrections", "replace", self.at, self.at + length, text)
+
+    def _is_named_last(self, noun: Noun) -> bool:
+        """Whether the same was named last: "two washers, sorry, one washer and a dryer"."""
+        named = (chunk for chunk in reversed(self.made) if isinstance(chunk, Noun))
+        last = next(named, None)
+        return last is not None and noun.kind == "thing" and (last.kind, last.value) == (noun.kind, noun.value)
 
     def _surface(self) -> SaidSurface | None:
         """Read what floor or walls are like; where they are a place for something, that is noted and they stay one."""
@@ -268,6 +290,8 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
+        if self.tokens[self.at].text in grammar().lists["befell"] and self._after_noun():
+            return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
         found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
         return found or self._after_modal() or self._described() or self._said_round()
 

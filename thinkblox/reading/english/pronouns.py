@@ -106,9 +106,12 @@ class Pronouns(Numbers):
 
     def _is_somebodys(self, noun: Noun) -> bool:
         """Read "two armchairs, hers and his", and "my desk is here, his is there": one more of the same."""
-        owned = grammar().lists["owned"]
-        if noun.text.lower() not in owned:
+        if not _is_owned(noun):
             return False
+        if before := self._owned_before(noun):
+            self._resume(before, noun)
+            return True
+        owned = grammar().lists["owned"]
         theirs = self._next_noun(1) if self._is_link(self.peek(), "joins", "and") else None
         if theirs is not None and theirs.text.lower() in owned:
             self._spend(theirs)
@@ -116,6 +119,12 @@ class Pronouns(Numbers):
             return True
         several = self.referents.left_over() is not None or self._whole([]) is not None
         return not several and self._is_besides(_one_more(noun))
+
+    def _owned_before(self, noun: Noun) -> list[Mention]:
+        """What was said before to be theirs: "Anna's is by the door. Anna's is red."."""
+        same = (c for c in self.chunks[: self.at - 1] if isinstance(c, Noun) and c.kind == "pronoun")
+        told = [self.meant.get(c.start, []) for c in same if c.text.lower() == noun.text.lower() and c is not noun]
+        return [t for t in (told[-1] if told else []) if t in self.draft.things]
 
     def _speak_of_some(self, whole: Mention, noun: Noun) -> None:
         """Speak of one, another, the other, half or none of several."""
@@ -133,7 +142,7 @@ class Pronouns(Numbers):
                 said = self.verb
                 self._part_of(whole, 1, noun)
                 self._again(said)
-            case "other" if noun.text.lower() in grammar().lists["owned"] and not self.referents.parts.get(whole):
+            case "other" if _is_owned(noun) and (whole.many or not self.referents.parts.get(whole)):
                 self._part_of(whole, 1, noun)
             case "other":
                 self.referents.parted = None
@@ -198,3 +207,9 @@ class Pronouns(Numbers):
 def _one_more(noun: Noun) -> Noun:
     """What says of a pronoun that it is one besides those that were named."""
     return replace(noun, det="another", count=1)
+
+
+def _is_owned(noun: Noun) -> bool:
+    """Whether it means what is somebody's: "mine", "Mrs Olsen's"."""
+    text = noun.text.lower()
+    return text in grammar().lists["owned"] or text.endswith(("'s", "\u2019s"))
