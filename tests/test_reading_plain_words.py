@@ -149,3 +149,35 @@ def test_what_somebodys_looks_like() -> None:
     brief = read_brief("A bedroom with two beds. Mrs Olsen's is the green one.", fill="named")
     assert sorted(r.attributes for r in brief.requests) == [(), ("green",)]
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [
+        (
+            "Six chairs are set against the wall, four of them gray and the other two orange.",
+            {(4, "grey"), (2, "orange")},
+        ),
+        ("Two bowls, one gold, the other orange.", {(1, "gold"), (1, "orange")}),
+        ("Five cups, three of them white, the rest orange.", {(3, "white"), (2, "orange")}),
+    ],
+)
+def test_the_others_are_orange_and_are_no_fruit(prompt: str, looks: set[tuple[int, str]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {(r.count, *r.attributes) for r in brief.requests if r.asked} == looks
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "On each side of the bed is a nightstand, and each of them has a lamp on it.",
+        "A bed with a nightstand on each side, each with a lamp on it.",
+        "There is a nightstand on either side of the bed, each holding a lamp.",
+    ],
+)
+def test_what_each_of_two_at_the_sides_has_is_on_both(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    on = [(r.subject, r.anchors) for r in brief.relations if r.kind == "on"]
+    assert {anchor for _, anchors in on for anchor in anchors} == {"nightstand", "nightstand-2"}
+    assert "2 table_lamp" in _asked(brief)
+    assert brief.unknown == ()

@@ -77,10 +77,20 @@ class Cutter:
                 self.made.append(Connector("prepositions", word, chunk.start, chunk.start))
             if chunk is not None:
                 self.at = chunk.end
-                self.made.append(chunk)
+                self.made.append(self._look_of_rest(chunk) or chunk)
             else:
                 self.at += 1
         return self.made
+
+    def _look_of_rest(self, chunk: Chunk) -> Adjective | None:
+        """Read "the rest orange" as a colour, where a fruit has the same name."""
+        rest = self.made[-1] if self.made else None
+        if not isinstance(rest, Noun) or rest.kind != "pronoun" or rest.value != "other":
+            return None
+        bare = isinstance(chunk, Noun) and not (chunk.det or chunk.count is not None or chunk.plural)
+        if not isinstance(chunk, Noun) or not bare or not chunk.material or chunk.called != chunk.material:
+            return None
+        return Adjective(chunk.start, chunk.end, chunk.text, [chunk.material])
 
     def _told_side(self) -> Noun | None:
         """Read "one nightstand, right side": between marks, a side and nothing else."""

@@ -123,16 +123,20 @@ class PhraseReader(Heads):
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
-        if (
-            noun.kind == "thing"
-            and noun.material
-            and noun.count
-            and self._text(noun.end - 2, noun.end - 1) in ("is", "are")
-        ):
-            # "One is orange" says which colour it has, and asks for no fruit.
+        if self._is_only_a_look(noun):
             look = Noun("number", "", noun.start, noun.end, det=noun.det, count=noun.count, attributes=[noun.material])
+            look.plural = noun.det == "other" and (noun.count or 1) > 1
             return self._finished(look)
         return self._finished(noun)
+
+    def _is_only_a_look(self, noun: Noun) -> bool:
+        """Whether "one is orange", "the other two orange" says which colour they have, and asks for no fruit."""
+        if noun.kind != "thing" or not noun.material:
+            return False
+        said = bool(noun.count) and self._text(noun.end - 2, noun.end - 1) in ("is", "are")
+        ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
+        other = noun.det == "other" and not noun.plural and ends
+        return said or (other and noun.called == noun.material)
 
     def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
         """Whether a verb follows a number that stands for things: "two stand by the window", "one stands there"."""
