@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
@@ -53,7 +54,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(with_laid(chunks)))))).read()
+    for rewritten in (with_laid, with_doings, with_nouns, with_answers, with_furniture, with_centres):
+        chunks = rewritten(chunks)
+    draft = Clauses(tokens, chunks).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft

@@ -128,7 +128,7 @@ class Antecedents:
         scores: dict[int, Antecedent] = {}
         for named in seen.named:
             for thing in self._meant.get(named.noun.start, ()):
-                if id(thing) in besides or id(thing) not in kept or (one and thing in self._referents.flanking):
+                if id(thing) in besides or id(thing) not in kept or (one and self._is_one_of_two(thing)):
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
                 several = not self._is_one(thing, named, last, seen)
@@ -267,6 +267,10 @@ class Antecedents:
             return by["centre"] + by["sentence"]
         share = by["lying"] if word in ("on", "on_top", "in") else 1.0
         return share * by["centre"] + by["part"] * max(0, seen.part - part - 1)
+
+    def _is_one_of_two(self, thing: Mention) -> bool:
+        """Whether it stands at one side of something and another at the other, and nothing is said of each."""
+        return thing in self._referents.flanking and thing not in self._referents.shared
 
     def _survey(self, start: int) -> Survey:
         """What was named before token `start`."""

@@ -49,6 +49,11 @@ _LINKS = (
 )
 
 
+_PAIR = 2
+_LONGEST_ORDER = 4
+"""Most words of an order to take something away."""
+
+
 class Cutter:
     """Cuts the tokens of one text into chunks."""
 
@@ -72,10 +77,20 @@ class Cutter:
                 self.made.append(Connector("prepositions", word, chunk.start, chunk.start))
             if chunk is not None:
                 self.at = chunk.end
-                self.made.append(chunk)
+                self.made.append(self._look_of_rest(chunk) or chunk)
             else:
                 self.at += 1
         return self.made
+
+    def _look_of_rest(self, chunk: Chunk) -> Adjective | None:
+        """Read "the rest orange" as a colour, where a fruit has the same name."""
+        rest = self.made[-1] if self.made else None
+        if not isinstance(rest, Noun) or rest.kind != "pronoun" or rest.value != "other":
+            return None
+        bare = isinstance(chunk, Noun) and not (chunk.det or chunk.count is not None or chunk.plural)
+        if not isinstance(chunk, Noun) or not bare or not chunk.material or chunk.called != chunk.material:
+            return None
+        return Adjective(chunk.start, chunk.end, chunk.text, [chunk.material])
 
     def _told_side(self) -> Noun | None:
         """Read "one nightstand, right side": between marks, a side and nothing else."""
@@ -117,7 +132,7 @@ class Cutter:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
-        if (whole := self._surface() or self._correction() or self._unread()) is not None:
+        if (whole := self._surface() or self._correction() or self._removal() or self._unread()) is not None:
             return whole
         if length := self._numbering():
             return Connector("fillers", "words", self.at, self.at + length, token.shown)
@@ -146,6 +161,16 @@ class Cutter:
         last = self.made[-1] if self.made else None
         return isinstance(last, Connector) and last.value == "leave"
 
+    def _removal(self) -> Connector | None:
+        """Read "take it out", where the sentence named what is to go."""
+        for length in range(_LONGEST_ORDER, 1, -1):
+            words = [token.text for token in self.tokens[self.at : self.at + length]]
+            if " ".join(words) in grammar().lists["removals"] and len(words) == length:
+                ends = self.at + length >= len(self.tokens) or self.tokens[self.at + length].kind == "mark"
+                text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+                return Connector("negations", "remove", self.at, self.at + length, text) if ends else None
+        return None
+
     def _unread(self) -> Stray | None:
         unread = self._phrases.unread_at(self.at)
         if not unread or self._is_said_of_it():
@@ -158,13 +183,23 @@ class Cutter:
         length = correction_at(self.tokens, self.at)
         if not length or not self.made or self.at + length >= len(self.tokens):
             return None
+        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        skips = grammar().at(self.tokens, self.at + length, "negations")
+        if skips is not None and skips.value == "exclude":
+            return Connector("fillers", "words", self.at, self.at + length, text)
         noun = self._phrases.read(self.at + length)
         if noun is None or noun.kind not in ("thing", "number") or noun.definite or not (noun.det or noun.count):
             return None
-        if noun.end < len(self.tokens) and self.tokens[noun.end].kind != "mark":
+        ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
+        if not ends and not self._is_named_last(noun):
             return None
-        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
         return Connector("corrections", "replace", self.at, self.at + length, text)
+
+    def _is_named_last(self, noun: Noun) -> bool:
+        """Whether the same was named last: "two washers, sorry, one washer and a dryer"."""
+        named = (chunk for chunk in reversed(self.made) if isinstance(chunk, Noun))
+        last = next(named, None)
+        return last is not None and noun.kind == "thing" and (last.kind, last.value) == (noun.kind, noun.value)
 
     def _surface(self) -> SaidSurface | None:
         """Read what floor or walls are like; where they are a place for something, that is noted and they stay one."""
@@ -265,8 +300,10 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
-        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._after_modal()
-        return found or self._described() or self._said_round()
+        if self.tokens[self.at].text in grammar().lists["befell"] and self._after_noun():
+            return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
+        return found or self._after_modal() or self._described() or self._said_round()
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""
@@ -310,8 +347,12 @@ class Cutter:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
         before, token = self._text_at(self.at - 1) if self.at else "", self.tokens[self.at]
         modal = grammar().lists["modals"]
-        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people()):
+        if token.text in modal and self._asks():
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people() or self._after_it()):
+            return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if self._is_told_able(modal):
+            return Connector("fillers", "words", self.at, self.at + 2, f"{token.shown} {self._text_at(self.at + 1)}")
         if before == "and" and self._goes_on_doing(modal):
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
         infinitive = before == "to" and self.at > 1 and self._text_at(self.at - 2) in grammar().lists["wishes"]
@@ -322,6 +363,12 @@ class Cutter:
             return None
         people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
         return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
+
+    def _asks(self) -> bool:
+        """Whether a question begins: "Can the bench be far from the door?"."""
+        last = self.made[-1] if self.made else None
+        begins = last is None or (isinstance(last, Connector) and last.sort in ("mark", "joins", "fillers"))
+        return begins and grammar().at(self.tokens, self.at + 1, "determiners", "pronouns", "fillers") is not None
 
     def _infinitive(self) -> Connector | None:
         """Read the "to" of "a place to eat", "waiting to be cleared", which is beside nothing."""
@@ -349,6 +396,26 @@ class Cutter:
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None
         return isinstance(last, Noun) and last.kind == "people"
+
+    def _after_it(self) -> bool:
+        """Whether a pronoun comes before, of which "can drive" is said."""
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Noun) and last.kind == "pronoun" and last.end == self.at
+
+    def _is_told_able(self, modal: frozenset[str]) -> bool:
+        """Whether "a lamp that can rotate" goes on, and no verb that has "can" in it."""
+        told = self._text_at(self.at) in ("that", "which") and self._text_at(self.at + 1) in modal
+        known = [link for at in (self.at, self.at + 1) for link in grammar().all_at(self.tokens, at, *_LINKS)]
+        return told and self._after_noun() and all(link.length < _PAIR for link in known)
+
+    def _ability(self) -> Stray | None:
+        """Read what no room shows of a thing: "that can rotate"."""
+        if not self._is_told_able(grammar().lists["modals"]) or self.at + _PAIR >= len(self.tokens):
+            return None
+        doing = self.at + _PAIR
+        if self.tokens[doing].kind != "word" or grammar().at(self.tokens, doing, *_LINKS, "determiners", "states"):
+            return None
+        return Stray(self.at, doing + 1, " ".join(token.shown for token in self.tokens[self.at : doing + 1]))
 
     def _goes_on_doing(self, modal: frozenset[str]) -> bool:
         """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""

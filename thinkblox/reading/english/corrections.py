@@ -2,6 +2,7 @@
 
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.pronouns import Pronouns
 from thinkblox.reading.english.referents import last_word
 
@@ -31,6 +32,9 @@ class Corrections(Pronouns):
         if noun.kind == "thing":
             thing.noun, thing.text = noun.value, noun.text
             self.named_by[thing] = noun
+        if not self.frontier:
+            self.clause.members.append(thing)
+            self.frontier = [Node([thing], self.clause, known=True)]
         if noun.attributes or noun.unshown:
             thing.attributes, thing.unshown = [*noun.attributes], [*noun.unshown]
 

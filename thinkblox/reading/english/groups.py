@@ -156,7 +156,8 @@ class Groups(Descriptions):
             self.each = True
         elif parts := self._all_parts() or self.clause.last_joined():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
-            self.each = True
+            self.clause.members += [part for part in parts if part not in self.clause.members]
+            self.each, self.separator = True, ""
 
     def _past_parting(self, nodes: list[Node]) -> list[Node]:
         """What is parted rather than what parts it: the beds of "three beds, separated by curtains, each with"."""
@@ -192,8 +193,8 @@ class Groups(Descriptions):
 
     def _all_parts(self) -> list[Mention]:
         """The parts of what was parted in this sentence."""
-        things = self.frontier[-1].things if self.frontier else []
-        families = (self.referents.family(thing) for thing in things)
+        nodes = [node for node in reversed(self.frontier) if node.frame is not None or node is self.frontier[-1]]
+        families = (self.referents.family(thing) for node in nodes for thing in node.things)
         return next((family for family in families if len(family) > 1), [])
 
     def _told_together(self, node: Node, frame: Listed) -> list[Mention]:

@@ -238,7 +238,7 @@ class Having(Groups):
         if not nodes:
             return self.subject if self.subject is not None and self.subject.things else None
         if self.each:
-            return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
+            return next((n for n in nodes if len(n.things) > 1 or any(t.many for t in n.things)), nodes[0])
         told = self._before(0)
         if isinstance(told, Connector) and told.text.lower().startswith(("which ", "that ")) and not self.separator:
             return nodes[0]

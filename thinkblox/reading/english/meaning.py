@@ -183,7 +183,7 @@ class Meanings:
             those = said.text.lower() in ("that", "all this", "all that")
             last = self.referents.last(subjects, lying=small and kind in _TOWARDS) if those else None
             found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
-            told = Meaning(kind, (found,), told=True) if found is not None else None
+            told = self._each_of_two(kind, found) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
         if said.value in ("former", "latter"):
             found = self.referents.of_two(said.value, subjects)
@@ -191,6 +191,12 @@ class Meanings:
         if said.value == "other":
             return self._other(kind, subjects)
         return self._them(where, said, subjects, likely, noun)
+
+    def _each_of_two(self, kind: str, found: Mention) -> Meaning:
+        """What "it" means of which something is said of each: "a nightstand on each side, each with a lamp on it"."""
+        two = self.referents.family(found) if found in self.referents.flanking else []
+        shared = len(two) > 1 and all(thing in self.referents.shared for thing in two)
+        return Meaning(kind, tuple(two) if shared else (found,), each=shared, told=True)
 
     def _them(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str

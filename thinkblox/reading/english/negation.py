@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
@@ -41,6 +41,8 @@ class Negation(Positions):
                 self.excluding = True
             case "gone":
                 self._gone()
+            case "remove":
+                self._remove(link)
 
     def _not(self, link: Connector) -> None:
         noun = self.peek()
@@ -57,6 +59,9 @@ class Negation(Positions):
             return
         text = link.text.lower()
         said_of = " be" in text or text in (*_DENIED, "not", "never")
+        if said_of and (absent := self._absent()) is not None:
+            self._keep_out(absent)
+            return
         if self.relative is not None:
             self.subject, self.relative, self.predicate = self.relative, None, True
         elif text == "not" and self._is_link(before, "joins", "but") and not self.predicate and self.frontier:
@@ -65,6 +70,29 @@ class Negation(Positions):
             self.subject = self._whole_subject()
             self.predicate = self.subject is not None
         self.negating = True
+
+    def _absent(self) -> Noun | None:
+        """What is said not to be in the room: "A car should not be in there"."""
+        within = self._is_link(self.peek(), "prepositions", "in", "inside")
+        subject, place = self._before(), self.peek(within)
+        if not isinstance(subject, Noun) or subject.kind != "thing" or not (within or not subject.definite):
+            return None
+        here = isinstance(place, Connector) and place.text.lower() in grammar().lists["here"]
+        room = within and isinstance(place, Noun) and place.kind == "room"
+        end = self.peek(within + 1)
+        ends = end is None or self._is_link(end, "mark") or self._is_link(end, "joins")
+        return subject if (here or room) and ends else None
+
+    def _keep_out(self, noun: Noun) -> None:
+        """Take things out of the room that were named as if they were to be there."""
+        fresh = [thing for thing in self.draft.things if self.named_by.get(thing) is noun]
+        for thing in fresh or self.meant.get(noun.start, []) or self.clause.members[-1:]:
+            self.draft.drop(thing)
+            self.draft.excluded.add(thing.noun)
+        self.excluded_by[noun.value] = noun
+        self.account.mark(noun.start, noun.end, "constraint")
+        self.at += 1 + self._is_link(self.peek(), "prepositions")
+        self._begin()
 
     def _take_back(self, thing: Mention | None = None) -> None:
         """Exclude what was named last: "a bench? No."."""
@@ -90,6 +118,25 @@ class Negation(Positions):
         for thing in things:
             self.draft.drop(thing)
             self.draft.excluded.add(thing.noun)
+
+    def _remove(self, link: Connector) -> None:
+        """Read "One of the chairs broke, take it out": what the sentence named last is not to be there."""
+        said = self.chunks[self._clause_start() : self.at - 1]
+        named = [c for c in said if isinstance(c, Noun) and (c.kind == "number" or (c.kind == "thing" and c.named))]
+        things = [t for c in named[-1:] for t in self.meant.get(c.start, []) if t in self.draft.things]
+        if not things:
+            self._lose(link.start, link.end)
+            return
+        for thing in things:
+            left = [t for t in self.referents.family(thing) if t is not thing]
+            self.numbers |= {thing.count or 1, sum(self.referents.total(t) for t in (thing, *left))}
+            self.draft.drop(thing)
+            self.draft.excluded |= set() if left else {thing.noun}
+        for chunk in said:
+            if isinstance(chunk, Stray) and chunk.text in self.draft.unknown:
+                self.draft.unknown.remove(chunk.text)
+                self.account.mark(chunk.start, chunk.end, "constraint")
+        self._begin()
 
     def _nothing(self) -> None:
         after = self.peek()

@@ -38,7 +38,7 @@ class Numbers(Verbs):
         if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
             self.at += 2
             return
-        if self._shares_out(noun):
+        if self._shares_out(noun) or self._goes_back(noun):
             return
         whole = self._one_left(noun, [])
         if whole is not None:
@@ -49,6 +49,14 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _goes_back(self, noun: Noun) -> bool:
+        """Go back to the only thing that looks so: "a red chair and a blue chair; the red one ..."."""
+        like = self._of_look(noun, []) if noun.word == "one" and not noun.of_known else None
+        if like is not None:
+            self._spend(noun)
+            self._resume([like], noun)
+        return like is not None
 
     def _is_besides(self, noun: Noun) -> bool:
         """Read "and two more in front of it", "another one is by the door": so many besides those that were named.

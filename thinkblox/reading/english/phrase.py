@@ -2,6 +2,7 @@
 
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
+from thinkblox.knowledge.vocabulary import is_person
 from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
@@ -14,6 +15,8 @@ _NAMES = 5
 _ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
 """Endings of words that may be adjectives."""
 
+_NAME = 3
+"""Most words of somebody's name."""
 _PAIR = 2
 _BUILT = ("floor", "wall", "ceiling", "window", "door")
 """Places that a noun before them can describe: "a checkerboard floor"."""
@@ -28,8 +31,8 @@ class PhraseReader(Heads):
     def read(self, start: int, *, after_preposition: bool = False) -> Noun | None:
         """The noun phrase that begins at `start`, or None."""
         noun = Noun("abstract", "", start, start)
-        if self._is_owned(start):
-            return self._finished(Noun("pronoun", "other", start, start + 1))
+        if owned := self._owned(start):
+            return self._finished(Noun("pronoun", "other", start, start + owned))
         pronoun = grammar().at(self.tokens, start, "pronouns")
         if pronoun is not None and pronoun.value in ("former", "latter"):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
@@ -59,12 +62,27 @@ class PhraseReader(Heads):
             noun.of_known, at = True, noun.end
         return self._named_at(noun, at, after_preposition=after_preposition)
 
-    def _is_owned(self, at: int) -> bool:
-        """Whether what is somebody's is meant, without its name: "his is by the door", "two desks, hers and his"."""
-        if self.tokens[at].text not in grammar().lists["owned"]:
-            return False
-        ends = at + 1 >= len(self.tokens) or self.tokens[at + 1].kind == "mark" or self.tokens[at + 1].text == "and"
-        return ends or grammar().at(self.tokens, at + 1, "verbs") is not None
+    def _owned(self, at: int) -> int:
+        """How many tokens "his", "Mrs Olsen's" have, where what is theirs is meant without its name; 0 for another."""
+        length = 1 if self.tokens[at].text in grammar().lists["owned"] else self._owner(at)
+        if not length:
+            return 0
+        end = at + length
+        ends = end >= len(self.tokens) or self.tokens[end].kind == "mark" or self.tokens[end].text == "and"
+        ends &= length == 1 and self.tokens[at].text in grammar().lists["owned"]
+        return length if ends or grammar().at(self.tokens, end, "verbs") is not None else 0
+
+    def _owner(self, at: int) -> int:
+        """How many tokens the name of somebody who owns something has: "Anna's", "my sister's"; 0 for none."""
+        named = grammar().at(self.tokens, at, "determiners") is not None
+        for end in range(at + named, min(at + named + _NAME, len(self.tokens))):
+            token = self.tokens[end]
+            somebody = token.shown[:1].isupper() or (named and is_person(token.text))
+            if token.kind != "word" or not somebody or self.thing_at(end) is not None:
+                return 0
+            if token.owner:
+                return end + 1 - at
+        return 0
 
     def _ends_with_them(self, start: int, end: int) -> bool:
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
@@ -105,16 +123,20 @@ class PhraseReader(Heads):
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
-        if (
-            noun.kind == "thing"
-            and noun.material
-            and noun.count
-            and self._text(noun.end - 2, noun.end - 1) in ("is", "are")
-        ):
-            # "One is orange" says which colour it has, and asks for no fruit.
+        if self._is_only_a_look(noun):
             look = Noun("number", "", noun.start, noun.end, det=noun.det, count=noun.count, attributes=[noun.material])
+            look.plural = noun.det == "other" and (noun.count or 1) > 1
             return self._finished(look)
         return self._finished(noun)
+
+    def _is_only_a_look(self, noun: Noun) -> bool:
+        """Whether "one is orange", "the other two orange" says which colour they have, and asks for no fruit."""
+        if noun.kind != "thing" or not noun.material:
+            return False
+        said = bool(noun.count) and self._text(noun.end - 2, noun.end - 1) in ("is", "are")
+        ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
+        other = noun.det == "other" and not noun.plural and ends
+        return said or (other and noun.called == noun.material)
 
     def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
         """Whether a verb follows a number that stands for things: "two stand by the window", "one stands there"."""
@@ -342,6 +364,8 @@ class PhraseReader(Heads):
         if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
             return True
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
+            return True
+        if text in grammar().lists["befell"] and units.nouns:
             return True
         if text == "measures" and units.nouns and self.size_at(at + 1) is not None:
             return True

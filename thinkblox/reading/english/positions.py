@@ -21,6 +21,10 @@ _FRONTS = 20
 """Most relations that wait for their subject."""
 _AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
 """Prepositions before a pronoun for what the clause before was about."""
+_FACED = ("facing", "opposite", "around")
+"""Relations that all of several have to a single thing."""
+_SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind")
+"""Relations that two have to a single thing."""
 _COLOURS = {"colour", "color"}
 """What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
@@ -491,18 +495,28 @@ class Positions(Subjects):
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
         if not anchors or where.noun is None:
             return
-        said = self.chunks[self._began - 1] if self._began else None
-        together = isinstance(said, Noun) and said.value == "all" and where.word in ("facing", "opposite", "around")
+        together = self._are_told_together(where)
         if meaning.kind == "on" and not meaning.told and where.noun.word in grammar().lists["stands"]:
             alone = len(subjects) == 1 and anchors[0].count is None
             anchors[0].count = subjects[0].count if alone and subjects[0].count else anchors[0].count
         if self.each and not meaning.told and where.noun.det == "a" and not together:
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
+        self.each &= not together
         if where.noun.kind in ("thing", "number") and not meaning.told:
             self.frontier.append(Node(anchors, None, known=where.noun.definite))
         elif where.noun.kind == "thing":
             self.frontier.append(Node(anchors, None, known=True, told=True))
+
+    def _are_told_together(self, where: Where) -> bool:
+        """Whether all of them stand so to one thing: "both of them face a mirror", "both are next to a lamp"."""
+        said = self.chunks[self._began - 1] if self._began else None
+        if self._is_link(said, "verbs", "be", "stand") and self._began > 1:
+            said = self.chunks[self._began - 2]
+        if not isinstance(said, Noun):
+            return False
+        both = said.det == "both" or (said.value == "them" and said.text.lower().startswith("both"))
+        return (said.value == "all" or both) and where.word in (_FACED if said.value == "all" else _SHARED_BY_BOTH)
 
     def _is_elsewhere_named(self, subjects: list[Mention]) -> bool:
         """Whether the words since the last mark name things that have nothing to do with the subjects."""

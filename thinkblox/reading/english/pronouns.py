@@ -31,7 +31,7 @@ class Pronouns(Numbers):
                 if self.frontier:
                     self.frontier[0].each = self.each = True
             case "them":
-                self._resume(list(self.referents.several([], "")), noun)
+                self._resume(self._they(), noun)
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
                 self.each = True
@@ -39,6 +39,13 @@ class Pronouns(Numbers):
                 self._all(noun)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _they(self) -> list[Mention]:
+        """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""
+        found = list(self.referents.several([], ""))
+        joined = self.clause.last_joined() or self.referents.joined
+        lone = len(found) == 1 and not found[0].many
+        return list(joined) if lone and joined else found
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
@@ -99,9 +106,12 @@ class Pronouns(Numbers):
 
     def _is_somebodys(self, noun: Noun) -> bool:
         """Read "two armchairs, hers and his", and "my desk is here, his is there": one more of the same."""
-        owned = grammar().lists["owned"]
-        if noun.text.lower() not in owned:
+        if not _is_owned(noun):
             return False
+        if before := self._owned_before(noun):
+            self._resume(before, noun)
+            return True
+        owned = grammar().lists["owned"]
         theirs = self._next_noun(1) if self._is_link(self.peek(), "joins", "and") else None
         if theirs is not None and theirs.text.lower() in owned:
             self._spend(theirs)
@@ -109,6 +119,12 @@ class Pronouns(Numbers):
             return True
         several = self.referents.left_over() is not None or self._whole([]) is not None
         return not several and self._is_besides(_one_more(noun))
+
+    def _owned_before(self, noun: Noun) -> list[Mention]:
+        """What was said before to be theirs: "Anna's is by the door. Anna's is red."."""
+        same = (c for c in self.chunks[: self.at - 1] if isinstance(c, Noun) and c.kind == "pronoun")
+        told = [self.meant.get(c.start, []) for c in same if c.text.lower() == noun.text.lower() and c is not noun]
+        return [t for t in (told[-1] if told else []) if t in self.draft.things]
 
     def _speak_of_some(self, whole: Mention, noun: Noun) -> None:
         """Speak of one, another, the other, half or none of several."""
@@ -126,7 +142,7 @@ class Pronouns(Numbers):
                 said = self.verb
                 self._part_of(whole, 1, noun)
                 self._again(said)
-            case "other" if noun.text.lower() in grammar().lists["owned"] and not self.referents.parts.get(whole):
+            case "other" if _is_owned(noun) and (whole.many or not self.referents.parts.get(whole)):
                 self._part_of(whole, 1, noun)
             case "other":
                 self.referents.parted = None
@@ -191,3 +207,9 @@ class Pronouns(Numbers):
 def _one_more(noun: Noun) -> Noun:
     """What says of a pronoun that it is one besides those that were named."""
     return replace(noun, det="another", count=1)
+
+
+def _is_owned(noun: Noun) -> bool:
+    """Whether it means what is somebody's: "mine", "Mrs Olsen's"."""
+    text = noun.text.lower()
+    return text in grammar().lists["owned"] or text.endswith(("'s", "\u2019s"))

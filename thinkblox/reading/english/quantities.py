@@ -235,6 +235,8 @@ class Quantities(Words):
         noun.plural = noun.count != 1 or noun.vague
         noun.det = "" if noun.det in ("a", "another") else noun.det
         inner = self._number(at + found.length)
+        if found.value == "pile" and noun.vague and outer is None and self._bounds_follow(at + found.length):
+            noun.count, noun.vague, noun.least = None, False, None
         if inner is not None and noun.vague and not (noun.rows or noun.groups):
             noun.count, noun.vague, noun.least = inner[0] * (outer or 1), False, None
             return found.length + inner[1]
@@ -242,6 +244,12 @@ class Quantities(Words):
             noun.count = inner[0] * (noun.rows or noun.groups)
             return found.length + inner[1]
         return found.length
+
+    def _bounds_follow(self, at: int) -> bool:
+        """Whether "at least three", "several" comes, so that a pile is of as many."""
+        bound = next(iter(grammar().all_at(self.tokens, at, "quantifiers")), None)
+        counted = bound is not None and self._number(at + bound.length) is not None
+        return counted or grammar().at(self.tokens, at, "vague") is not None
 
     def _pile(self, noun: Noun, at: int, length: int, outer: int | None) -> None:
         """Read "each pair of", "two pairs of", "a stack of", "a piece of"."""

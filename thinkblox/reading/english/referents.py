@@ -182,7 +182,7 @@ class Referents:
     def _may_be_one(self, thing: Mention, subject: Mention | None) -> bool:
         """Whether "it" can be said of a thing: of a single one, or of each of several that are spoken of one by one."""
         if thing in self.flanking:
-            return False
+            return thing in self.shared
         if not thing.many or thing in self.shared or thing.rows or thing.groups:
             return True
         return subject is not None and any(b.each and thing in b.anchors for b in self.draft.bonds_of(subject))

@@ -82,7 +82,7 @@ class SecondOpinion:
 
     def disagreements(self, chunks: Sequence[Chunk]) -> Iterator[Disagreement]:
         """Everything that can hardly be meant so."""
-        corrected = any(is_link(chunk, "corrections") for chunk in chunks)
+        corrected = any(is_link(chunk, "corrections") or is_link(chunk, "negations", "remove") for chunk in chunks)
         for said in statements(chunks):
             places = list(positions(said))
             for place in places:

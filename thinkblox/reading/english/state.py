@@ -123,7 +123,7 @@ class State(Namer):
             if not front.used and front.is_known:
                 self._lose_where(front.where)
         if self.clause.members:
-            self.referents.joined = self.clause.last_joined()
+            self.referents.joined = self.clause.last_joined() or self._joined_within()
         self.frontier: list[Node] = []
         self.front = []
         self.clause = Listed()
@@ -148,6 +148,11 @@ class State(Namer):
         self.together: Node | None = None
         self.adding = False
         self.aside: tuple[Node, Listed] | None = None
+
+    def _joined_within(self) -> list[Mention]:
+        """What "and" joined last of what a thing has: "a bed with a pillow and a blanket"."""
+        frames = (node.frame for node in reversed(self.frontier) if node.frame is not None)
+        return next((joined for frame in frames if (joined := frame.last_joined())), [])
 
     def _lose(self, start: int, end: int) -> None:
         """Note words that name or change a thing and that nothing is made of."""

@@ -1,0 +1,183 @@
+"""Plain sentences as people type them: what is asked for, and how it is to stand."""
+
+import pytest
+
+from tests.test_reading_turns import related
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def _asked(brief: Brief) -> str:
+    """What the prompt asks for: "2 chair, 1 desk"."""
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        if request.asked:
+            counts[request.category] = counts.get(request.category, 0) + request.count
+    return ", ".join(f"{count} {category}" for category, count in sorted(counts.items()))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("A gym with a bench press. Can the bench press be far from the door?", "1 weight_bench"),
+        ("Can you do a study with two desks?", "2 desk"),
+        ("can each desk have a lamp? Three desks.", "3 desk, 3 desk_lamp"),
+        ("A pantry with a can, a jar and a bottle on a shelf.", "1 bottle, 1 jar, 1 shelving_unit, 1 tin_can"),
+        ("My robot has to find the keys. Give me a console table, the keys are on it.", "1 console_table, 3 key"),
+        ("A bowl on a table. Leave some space so it can drive through.", "1 bowl, 1 dining_table"),
+        ("A table which can hold six plates.", "1 dining_table, 6 plate"),
+    ],
+)
+def test_what_can_be_or_has_to_be_done_asks_for_nothing(prompt: str, asked: str) -> None:
+    assert _asked(read_brief(prompt)) == asked
+
+
+def test_an_ability_is_told() -> None:
+    brief = read_brief("A lamp that can rotate next to a desk.")
+    assert _asked(brief) == "1 desk, 1 floor_lamp"
+    assert brief.unknown == ("that can rotate",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A square table. A white bowl is centered on the table.", "1 bowl in_centre dining_table"),
+        ("A desk with a monitor centred on it.", "1 monitor in_centre desk"),
+        ("A vase stands centrally on the table.", "1 vase in_centre dining_table"),
+        ("A tray centered on the ottoman holds two cups.", "1 tray in_centre ottoman"),
+        ("A coffee table centred on a rug.", "1 rug under coffee_table"),
+        ("A bench is by a sofa, and a stack of at least three books lies on it.", "3 book on bench"),
+        ("A desk by a bookcase, and a pile of up to six folders sits on it.", "6 folder on desk"),
+    ],
+)
+def test_what_lies_in_the_middle_or_in_a_pile(prompt: str, relation: str) -> None:
+    brief = read_brief(prompt)
+    assert relation in related(brief)
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("A treadmill and a bike. Both of them face a mirror.", "1 bicycle, 1 mirror, 1 treadmill"),
+        ("Two chairs. Both face a mirror with a lamp above it.", "2 chair, 1 mirror, 1 pendant_lamp"),
+        ("A sofa and an armchair. They both face a TV.", "1 armchair, 1 sofa, 1 tv"),
+        ("Two chairs. Both chairs are next to a lamp and have a cushion.", "2 chair, 1 floor_lamp, 2 pillow"),
+        ("Two beds. Both of them have a pillow.", "2 bed, 2 pillow"),
+    ],
+)
+def test_what_both_stand_by_is_one_and_what_both_have_are_two(prompt: str, asked: str) -> None:
+    found = _asked(read_brief(prompt))
+    assert sorted(found.split(", ")) == sorted(asked.split(", "))
+
+
+def test_they_are_the_things_that_were_joined() -> None:
+    assert related(read_brief("A table and a chair. They stand by the window.")) == {
+        "1 dining_table next_to window",
+        "1 chair next_to window",
+    }
+    brief = read_brief("A bed with a pillow and a blanket. They are white.")
+    looks = {request.category: request.attributes for request in brief.requests if request.asked}
+    assert looks == {"bed": (), "pillow": ("white",), "blanket": ("white",)}
+
+
+def test_a_keyboard_stands_on_a_stand_of_its_own() -> None:
+    assert "1 electric_piano on keyboard_stand" in related(read_brief("A music studio with a keyboard on a stand."))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kept", "barred"),
+    [
+        ("A garage with a bike. Car should NOT be in there, just a shelf.", "1 bicycle, 1 shelving_unit", "car"),
+        ("A kitchen with a table. Chairs must not be there and a lamp hangs over it.", "1 kitchen_table", "chair"),
+        ("Carpets should never be in this bathroom. A bath.", "1 bathtub", "rug"),
+        ("A den with a sofa and a TV. The TV should not be in here.", "1 sofa", "tv"),
+        ("An office with a desk and a printer. The printer leaks, get rid of it.", "1 desk", "printer"),
+        ("A sofa and a rug. The rug looks old, remove it.", "1 sofa", "rug"),
+    ],
+)
+def test_what_is_not_to_be_in_the_room_is_left_out(prompt: str, kept: str, barred: str) -> None:
+    brief = read_brief(prompt)
+    assert set(kept.split(", ")) <= set(_asked(brief).split(", "))
+    assert barred not in _asked(brief).replace(",", "").split()
+    assert brief.excluded == (barred,)
+
+
+def test_some_of_several_are_taken_away() -> None:
+    brief = read_brief("Four chairs around a table. One of the chairs broke, take it out.")
+    assert (sorted(_asked(brief).split(", ")), brief.unknown) == (["1 dining_table", "3 chair"], ())
+    assert read_brief("A desk with a lamp. It broke, remove it.").unknown == ("broke", "remove it")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("2 washers, sorry, one washer and one dryer on top of it.", "1 dryer, 1 washing_machine"),
+        ("A desk with a monitor, sorry, two monitors and a keyboard on it.", "1 desk, 1 keyboard, 2 monitor"),
+        ("A red sofa, no, a blue sofa with two cushions on it.", "1 sofa, 2 pillow"),
+        ("A room with four chairs. Actually, make that six chairs around a table.", "1 dining_table, 6 chair"),
+        ("A sofa. Sorry, two sofas facing each other.", "2 sofa"),
+        ("A bathroom with a toilet, a bathtub - no wait, skip the bathtub.", "1 toilet"),
+    ],
+)
+def test_what_is_put_right_replaces_what_was_said(prompt: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    assert sorted(_asked(brief).split(", ")) == sorted(asked.split(", "))
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A red chair and a blue chair. The red one is by the window.", {"1 chair next_to window"}),
+        ("Three lamps and a red chair. The red one is in the corner.", {"1 chair in_corner corner"}),
+        ("A wooden desk and a glass desk. On the glass one is a laptop.", {"1 laptop on desk-2"}),
+        (
+            "Two desks. Anna's is by the window, Tom's is in the corner.",
+            {"1 desk next_to window", "1 desk-2 in_corner corner"},
+        ),
+        ("Two beds. Mia's has a blanket. Mia's is by the door.", {"1 blanket on bed", "1 bed next_to door"}),
+    ],
+)
+def test_one_is_told_by_its_look_or_its_owner(prompt: str, relations: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert related(brief) == relations
+    assert brief.unknown == ()
+
+
+def test_what_somebodys_looks_like() -> None:
+    brief = read_brief("A bedroom with two beds. Mrs Olsen's is the green one.", fill="named")
+    assert sorted(r.attributes for r in brief.requests) == [(), ("green",)]
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [
+        (
+            "Six chairs are set against the wall, four of them gray and the other two orange.",
+            {(4, "grey"), (2, "orange")},
+        ),
+        ("Two bowls, one gold, the other orange.", {(1, "gold"), (1, "orange")}),
+        ("Five cups, three of them white, the rest orange.", {(3, "white"), (2, "orange")}),
+    ],
+)
+def test_the_others_are_orange_and_are_no_fruit(prompt: str, looks: set[tuple[int, str]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {(r.count, *r.attributes) for r in brief.requests if r.asked} == looks
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "On each side of the bed is a nightstand, and each of them has a lamp on it.",
+        "A bed with a nightstand on each side, each with a lamp on it.",
+        "There is a nightstand on either side of the bed, each holding a lamp.",
+    ],
+)
+def test_what_each_of_two_at_the_sides_has_is_on_both(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    on = [(r.subject, r.anchors) for r in brief.relations if r.kind == "on"]
+    assert {anchor for _, anchors in on for anchor in anchors} == {"nightstand", "nightstand-2"}
+    assert "2 table_lamp" in _asked(brief)
+    assert brief.unknown == ()
