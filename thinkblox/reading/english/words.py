@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets.names import ThingName
+from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.grammar import Function, grammar
@@ -123,6 +124,8 @@ class Words:
         """Whether a name is an adjective and a name: "wooden bucket", "folded blanket"."""
         rest = " ".join(words[1:])
         if len(words) < 2 or thing_called(rest, len(words) - 1) is None:
+            return False
+        if " ".join([*words[:-1], singular(words[-1])]) in grammar().lists["compounds"]:
             return False
         looks = any(e.sort in ("attribute", "style") for e in self.lexicon.phrases.get((words[0],), ()))
         if words[0] == "wood":
