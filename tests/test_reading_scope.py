@@ -177,3 +177,68 @@ def test_what_lacks_something_is_still_spoken_of() -> None:
     assert counted(brief) == {"aquarium": 1}
     assert "fish" in brief.excluded
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "gone"),
+    [
+        ("A man cave, but my wife vetoed the pool table and the bar.", {"pool_table", "bar_counter"}),
+        ("A games room. The landlord forbids candles and a fireplace. A sofa.", {"candle", "fireplace"}),
+        ("A bedroom with a bed. Dad won't allow a TV in it.", {"tv"}),
+        ("An office with a desk. The filing cabinet was thrown out last week.", {"filing_cabinet"}),
+        ("A bedroom with a bed. The wardrobe has been moved to the hallway.", {"wardrobe"}),
+        ("A room with two armchairs. The old sideboard was sold, and so was the clock.", {"sideboard", "clock"}),
+        ("A lounge with a sofa. We're not keen on plants. There's a lamp.", {"plant"}),
+        ("A lounge with a sofa. I'd rather not have a rug or curtains.", {"rug", "curtain"}),
+        ("A lounge with a sofa. The dog basket has to go.", {"pet_bed"}),
+        ("A lounge with a sofa. Rugs are a no-go, and so are curtains.", {"rug", "curtain"}),
+        ("A dining room with a table. A chandelier is the last thing I want.", {"chandelier"}),
+        ("A classroom with ten desks. A projector is not something we have.", {"projector"}),
+        ("A kitchen with a stove. The dishwasher belongs elsewhere.", {"dishwasher"}),
+        ("A gym with a treadmill. Mirrors? Absolutely not.", {"mirror"}),
+        ("A barn with a ladder. A bench? None needed.", {"bench"}),
+        ("A dining room with a table. No chairs whatsoever.", {"chair"}),
+    ],
+)
+def test_what_is_refused_is_not_there(prompt: str, gone: set[str]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert gone <= set(brief.excluded)
+    assert not gone & set(counted(brief))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A desk and a bed. The desk can't stand beside the bed.", "next_to"),
+        ("A desk and a bookcase. The bookcase is not to stand next to the desk.", "next_to"),
+        ("A gym with a treadmill and a bench; the bench mustn't go in front of the treadmill.", "in_front_of"),
+        ("A sofa and a piano. The piano cannot be near the sofa.", "near"),
+        ("A bed and a desk. The desk wouldn't fit beside the bed.", "next_to"),
+    ],
+)
+def test_where_a_thing_cannot_be_it_is_not(prompt: str, kind: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert [(r.kind, r.negated) for r in brief.relations] == [(kind, True)]
+    assert len(counted(brief)) == 2
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A living room with a sofa and a coffee table, no rug under the coffee table.",
+        "A bedroom with a bed and a desk, no lamp on the desk.",
+        "A kitchen with an island and no stools at the island.",
+        "A hall with a bench, without a mirror above the bench.",
+    ],
+)
+def test_where_something_is_not_is_no_place_of_another_thing(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert not brief.relations
+    assert not brief.unknown
+    assert set(counted(brief).values()) == {1}
+
+
+def test_what_has_to_go_somewhere_is_there() -> None:
+    brief = read_brief("A desk and a lamp. The lamp has to go next to the desk.", fill="named")
+    assert related(brief) == {"1 floor_lamp next_to desk"}
+    assert not brief.excluded

@@ -12,6 +12,7 @@ from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -59,10 +60,12 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
-    """Words that people shorten, as the lexicon has them; "it's" and "they're" as two."""
+    """Words that people shorten, as the lexicon has them; "it's", "they're" and "a kettle's on it" as two."""
     whole: list[Token] = []
-    for token in _slashed(tokens):
-        verb = "is" if token.text in _JOINED and token.owner else "are" if token.text in _ARE else ""
+    slashed = [*_slashed(tokens)]
+    for at, token in enumerate(slashed):
+        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 3])
+        verb = "is" if told and token.owner else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
             first, rest = token.shown[:head], token.shown[head:]
@@ -71,6 +74,13 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
+
+
+def _says_where(after: list[Token]) -> bool:
+    """Whether words that follow "'s" tell where something is, so that it stands for "is"."""
+    if len(after) < len(("on", "the")) or after[0].glued or after[1].kind == "mark":
+        return False
+    return after[0].text in grammar().lists["after_is"]
 
 
 def _slashed(tokens: list[Token]) -> Iterator[Token]:

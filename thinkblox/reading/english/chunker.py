@@ -227,6 +227,7 @@ class Cutter:
         if (said := self._set_phrase()) is not None:
             return said
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        noun = None if noun is not None and self._refuses(noun) else noun
         of_room = noun is not None and self._names_room()
         link = None if of_room else self._link()
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
@@ -251,6 +252,11 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _refuses(self, noun: Noun) -> bool:
+        """Whether more words than the noun phrase say that something is not wanted: "no room for", "none needed"."""
+        found = grammar().all_at(self.tokens, self.at, "negations")
+        return bool(found) and found[0].value in ("exclude", "gone") and found[0].length > noun.end - noun.start
 
     def _names_room(self) -> bool:
         """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""

@@ -56,6 +56,7 @@ class State(Namer):
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last; `excluded_by`: by which phrase each such thing was.
+        placed_barred: where the words end that say of it where it is not to be; -1 where these are of something else.
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for; `antecedents` weighs what pronouns point back to by it.
         unsure: phrases for one thing that several were named by, and these.
@@ -102,6 +103,7 @@ class State(Namer):
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
         self.barred: Noun | None = None
+        self.placed_barred = -1
         self.excluded_by: dict[str, Noun] = {}
         self.laid = False
         self.spoken_of: Mention | None = None
