@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
@@ -32,6 +33,15 @@ _WITHIN = re.compile(
     re.IGNORECASE,
 )
 """How far something is at most from another thing."""
+_NEIGHBOUR = re.compile(
+    r"\bits (?:next-door |nearest |closest |immediate )?neighbou?r (is|being|will be)\b", re.IGNORECASE
+)
+"""What stands next to what was spoken of."""
+_IMAGINED = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
+    re.IGNORECASE,
+)
+"""An order to imagine what comes."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -47,13 +57,15 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
+    text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
+    text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(chunks))))).read()
+    draft = Clauses(tokens, with_furniture(with_answers(with_nouns(with_doings(with_booths(chunks)))))).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft

@@ -7,6 +7,7 @@ from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
+from thinkblox.reading.english.said import is_spatial
 
 _TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry", "have", "share")
 """Verbs that tell something of what is there."""
@@ -90,12 +91,17 @@ class Negation(Positions):
         said_of = " be" in text or text in (*_DENIED, "not", "never")
         if self.relative is not None:
             self.subject, self.relative, self.predicate = self.relative, None, True
-        elif text == "not" and self._is_link(before, "joins", "but") and not self.predicate and self.frontier:
+        elif text == "not" and self._is_verbless(before, noun):
             self.subject, self.predicate = self.frontier[-1], True
         if said_of and self.subject is None:
             self.subject = self._whole_subject()
             self.predicate = self.subject is not None
         self.negating = True
+
+    def _is_verbless(self, before: Chunk | None, after: Chunk | None) -> bool:
+        """Whether a thing is denied a place without a verb: "the fridge not next to it", "but not on it"."""
+        placed = isinstance(before, Noun) and before.kind == "thing" and self._is_link(after, "prepositions")
+        return bool(self.frontier) and not self.predicate and (placed or self._is_link(before, "joins", "but"))
 
     def _is_asked(self, link: Connector) -> bool:
         """Whether it answers whether something is to be there: "A bench? No."."""
@@ -187,8 +193,25 @@ class Negation(Positions):
             elif noun is not None and noun.kind == "thing":
                 self.at += 1
                 self._set_front(self._read_where(after))
+        elif isinstance(after, Connector) and is_spatial(after) and self._is_nothing_there(after):
+            return
         elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
+
+    def _is_nothing_there(self, link: Connector) -> bool:
+        """Read "nothing in the corner except a globe"; "nothing by the window" is not understood."""
+        noun = self._next_noun(1)
+        if noun is None or noun.kind not in ("place", "part", "thing"):
+            return False
+        self.at += 1
+        where = self._read_where(link)
+        if self._is_link(self.peek(), "joins", "but") or self._is_link(self.peek(), "prepositions", "except"):
+            self.at += 1
+            self.excluding = False
+            self._set_front(where)
+            return True
+        self._lose(link.start - 1, self.chunks[self.at - 1].end)
+        return True
 
     def _only_on(self, on: Connector) -> bool:
         """Read "(has) nothing on it but a bowl": what follows is there."""

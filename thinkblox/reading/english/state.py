@@ -30,6 +30,7 @@ class State(Namer):
         whole: the several whose parts a colon or dash begins to tell.
         fresh: what the sentence named for the first time as an anchor.
         verb, said: the verb of this clause, and of the one that a semicolon ended.
+        holding: how what is held stood to its holder, where that was said last.
         bracket: what was spoken of before an open bracket.
         dashed: whether that bracket is a dash.
         ordinals: which of a family is the first, the second, ...
@@ -89,6 +90,7 @@ class State(Namer):
         self.clause = Listed()
         self.said = ""
         self.verb = ""
+        self.holding = "hold"
         self.bracket: tuple[list[Node], Listed, Node | None, bool] | None = None
         self.dashed = False
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
