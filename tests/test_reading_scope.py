@@ -177,3 +177,137 @@ def test_what_lacks_something_is_still_spoken_of() -> None:
     assert counted(brief) == {"aquarium": 1}
     assert "fish" in brief.excluded
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "gone"),
+    [
+        ("A man cave, but my wife vetoed the pool table and the bar.", {"pool_table", "bar_counter"}),
+        ("A games room. The landlord forbids candles and a fireplace. A sofa.", {"candle", "fireplace"}),
+        ("A bedroom with a bed. Dad won't allow a TV in it.", {"tv"}),
+        ("An office with a desk. The filing cabinet was thrown out last week.", {"filing_cabinet"}),
+        ("A bedroom with a bed. The wardrobe has been moved to the hallway.", {"wardrobe"}),
+        ("A room with two armchairs. The old sideboard was sold, and so was the clock.", {"sideboard", "clock"}),
+        ("A lounge with a sofa. We're not keen on plants. There's a lamp.", {"plant"}),
+        ("A lounge with a sofa. I'd rather not have a rug or curtains.", {"rug", "curtain"}),
+        ("A lounge with a sofa. The dog basket has to go.", {"pet_bed"}),
+        ("A lounge with a sofa. Rugs are a no-go, and so are curtains.", {"rug", "curtain"}),
+        ("A dining room with a table. A chandelier is the last thing I want.", {"chandelier"}),
+        ("A classroom with ten desks. A projector is not something we have.", {"projector"}),
+        ("A kitchen with a stove. The dishwasher belongs elsewhere.", {"dishwasher"}),
+        ("A gym with a treadmill. Mirrors? Absolutely not.", {"mirror"}),
+        ("A barn with a ladder. A bench? None needed.", {"bench"}),
+        ("A dining room with a table. No chairs whatsoever.", {"chair"}),
+    ],
+)
+def test_what_is_refused_is_not_there(prompt: str, gone: set[str]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert gone <= set(brief.excluded)
+    assert not gone & set(counted(brief))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A desk and a bed. The desk can't stand beside the bed.", "next_to"),
+        ("A desk and a bookcase. The bookcase is not to stand next to the desk.", "next_to"),
+        ("A gym with a treadmill and a bench; the bench mustn't go in front of the treadmill.", "in_front_of"),
+        ("A sofa and a piano. The piano cannot be near the sofa.", "near"),
+        ("A bed and a desk. The desk wouldn't fit beside the bed.", "next_to"),
+    ],
+)
+def test_where_a_thing_cannot_be_it_is_not(prompt: str, kind: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert [(r.kind, r.negated) for r in brief.relations] == [(kind, True)]
+    assert len(counted(brief)) == 2
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A living room with a sofa and a coffee table, no rug under the coffee table.",
+        "A bedroom with a bed and a desk, no lamp on the desk.",
+        "A kitchen with an island and no stools at the island.",
+        "A hall with a bench, without a mirror above the bench.",
+    ],
+)
+def test_where_something_is_not_is_no_place_of_another_thing(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert not brief.relations
+    assert not brief.unknown
+    assert set(counted(brief).values()) == {1}
+
+
+def test_what_has_to_go_somewhere_is_there() -> None:
+    brief = read_brief("A desk and a lamp. The lamp has to go next to the desk.", fill="named")
+    assert related(brief) == {"1 floor_lamp next_to desk"}
+    assert not brief.excluded
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A kitchen with a stove and a fridge, the fridge not next to the stove.",
+            {("next_to", "fridge", "stove", True)},
+        ),
+        (
+            "Two shelves on the wall; one holds three mugs, the other five plates.",
+            {("on", "cup", "wall_shelf", False), ("on", "plate", "wall_shelf-2", False)},
+        ),
+        (
+            "Three boxes. One of them contains a ball, another one two books, and the remaining one is empty.",
+            {("inside", "ball", "box", False), ("inside", "book", "box-2", False)},
+        ),
+        ("A glass cabinet; its neighbour is a desk.", {("next_to", "desk", "china_cabinet", False)}),
+        ("A kettle's on the stove. The broom's in the corner.", {("on", "kettle", "stove", False)}),
+        (
+            "A telescope next to the window, wooden crate in the middle with a lantern on it.",
+            {("in_centre", "crate", "centre", False), ("on", "lantern", "crate", False)},
+        ),
+        ("A clock in the corner and a long way from the door.", {("far", "clock", "door", False)}),
+        (
+            "A hall with nothing in the middle of the floor apart from the table.",
+            {("in_centre", "dining_table", "centre", False)},
+        ),
+        ("A library with nothing in the corner except a globe.", {("in_corner", "globe", "corner", False)}),
+    ],
+)
+def test_so_it_stands(prompt: str, relations: set[tuple[str, str, str, bool]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    found = {(r.kind, r.subject, r.anchors[0] if r.anchors else "", r.negated) for r in brief.relations}
+    assert relations <= found
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A lighthouse. The kettle's on the stove.", {"kettle": 1, "stove": 1}),
+        ("Picture a lighthouse keeper's room with a bed.", {"bed": 1}),
+        ("A shelf on the wall holds nine pairs of shoes, that is eighteen.", {"wall_shelf": 1, "shoes": 9}),
+        ("A hall with two small tables, hence six chairs.", {"dining_table": 2, "chair": 6}),
+        ("A hall with a wall-mounted clock and a small wall-mounted desk.", {"clock": 1, "desk": 1}),
+    ],
+)
+def test_so_many_are_asked_for(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert counted(brief) == counts
+    assert not brief.unknown
+
+
+def test_where_nothing_is_to_stand_is_said_not_to_be_understood() -> None:
+    brief = read_brief("A hall with a globe and nothing by the window.", fill="named")
+    assert brief.unknown == ("nothing by the window",)
+    assert not brief.relations
+
+
+def test_a_number_of_nobody_knows_what_changes_none() -> None:
+    brief = read_brief("A vase on a shelf, that is three.", fill="named")
+    assert counted(brief) == {"vase": 1, "shelving_unit": 1}
+    assert brief.unknown == ("that is three",)
+
+
+def test_what_hangs_from_the_ceiling_is_on_no_wall() -> None:
+    basket = read_brief("Five hanging baskets from the ceiling.", fill="named").request("basket")
+    assert basket.attributes == ("hanging",)

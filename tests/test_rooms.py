@@ -30,12 +30,21 @@ from thinkblox.reading import read_brief
         ("A music teacher's studio with a grand piano", "music_room", "rug"),
         ("A flower shop with a counter and buckets of flowers", "florist", "bouquet"),
         ("A furniture showroom", "shop", "armchair"),
+        ("A banquet room for a wedding", "banquet_hall", "dining_table"),
+        ("Phone pod in a co-working space", "phone_booth", "stool"),
+        ("A treehouse with a bean bag", "treehouse", "bean_bag"),
+        ("Ticket kiosk: a counter and a stool", "ticket_booth", "stool"),
     ],
 )
 def test_a_room_is_known_by_its_name(prompt: str, room: str, thing: str) -> None:
     brief = read_brief(prompt)
     assert brief.room_type == room
     assert thing in counted(brief)
+
+
+def test_booths_stand_in_other_rooms() -> None:
+    office = read_brief("An office with six desks. Along the wall are three phone booths, each with a stool in it.")
+    assert (office.room_type, counted(office)["phone_booth"], counted(office)["stool"]) == ("office", 3, 3)
 
 
 def test_everybody_has_one_of_what_each_has_there() -> None:

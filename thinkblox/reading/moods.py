@@ -13,7 +13,7 @@ from thinkblox.reading.draft import Draft
 _REACH = 4
 """So many words after a "no", at most, are denied by it."""
 _NEGATIONS = frozenset(
-    {"no", "not", "without", "never", "nothing", "nor", "minus", "isn't", "except", "don't", "hates"}
+    "no not without never nothing nor minus isn't except don't hates allergic forbid forbids vetoed".split()
 )
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "his", "her", "their", "some", "old", "little", "two"})
 _HOUSEHOLD = 5

@@ -148,6 +148,8 @@ def _hang(bond: Bond, place: str) -> None:
     thing, kind = bond.subject, kind_of(bond.subject.noun)
     word = HANGING if place == "ceiling" else WALL_MOUNTED if place.endswith("wall") else ""
     mount = "ceiling" if place == "ceiling" else "wall"
+    if mount == "ceiling" and WALL_MOUNTED in thing.attributes:
+        thing.attributes.remove(WALL_MOUNTED)
     if not word or kind.mount == mount:
         return
     if f"{mount}_{kind.name}" in CATALOGUE:

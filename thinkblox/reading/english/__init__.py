@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
@@ -13,6 +14,7 @@ from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
@@ -33,6 +35,15 @@ _WITHIN = re.compile(
     re.IGNORECASE,
 )
 """How far something is at most from another thing."""
+_NEIGHBOUR = re.compile(
+    r"\bits (?:next-door |nearest |closest |immediate )?neighbou?r (is|being|will be)\b", re.IGNORECASE
+)
+"""What stands next to what was spoken of."""
+_IMAGINED = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
+    re.IGNORECASE,
+)
+"""An order to imagine what comes."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -48,13 +59,15 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
+    text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
+    text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    for rewritten in (with_laid, with_doings, with_nouns, with_answers, with_furniture, with_centres):
+    for rewritten in (with_booths, with_laid, with_doings, with_nouns, with_answers, with_furniture, with_centres):
         chunks = rewritten(chunks)
     draft = Clauses(tokens, chunks).read()
     draft.surfaces += noted
@@ -63,10 +76,12 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
-    """Words that people shorten, as the lexicon has them; "it's" and "they're" as two."""
+    """Words that people shorten, as the lexicon has them; "it's", "they're" and "a kettle's on it" as two."""
     whole: list[Token] = []
-    for token in _slashed(tokens):
-        verb = "is" if token.text in _JOINED and token.owner else "are" if token.text in _ARE else ""
+    slashed = [*_slashed(tokens)]
+    for at, token in enumerate(slashed):
+        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 3])
+        verb = "is" if told and token.owner else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
             first, rest = token.shown[:head], token.shown[head:]
@@ -75,6 +90,13 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
+
+
+def _says_where(after: list[Token]) -> bool:
+    """Whether words that follow "'s" tell where something is, so that it stands for "is"."""
+    if len(after) < len(("on", "the")) or after[0].glued or after[1].kind == "mark":
+        return False
+    return after[0].text in grammar().lists["after_is"]
 
 
 def _slashed(tokens: list[Token]) -> Iterator[Token]:

@@ -173,10 +173,16 @@ class Cutter:
 
     def _unread(self) -> Stray | None:
         unread = self._phrases.unread_at(self.at)
-        if not unread or self._is_said_of_it():
+        if not unread or self._is_said_of_it() or self._is_exception():
             return None
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
         return Stray(self.at, self.at + unread, text)
+
+    def _is_exception(self) -> bool:
+        """Whether "apart from the table" comes after "nothing": it is what is there all the same."""
+        link = grammar().at(self.tokens, self.at, "prepositions")
+        said = [chunk for chunk in self.made if isinstance(chunk, Connector) and chunk.sort in ("mark", "negations")]
+        return link is not None and link.value == "except" and bool(said) and said[-1].value == "nothing"
 
     def _correction(self) -> Connector | None:
         """Read "no, make that" where one noun phrase ends the clause: what it corrects may be found."""
@@ -262,6 +268,7 @@ class Cutter:
         if (said := self._set_phrase()) is not None:
             return said
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        noun = None if noun is not None and self._begins_link(noun) else self._other_one(noun)
         of_room = noun is not None and self._names_room()
         link = None if of_room else self._link()
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
@@ -287,6 +294,29 @@ class Cutter:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
 
+    def _begins_link(self, noun: Noun) -> bool:
+        """Whether more words than the noun phrase say no or where: "no room for", "none needed", "a long way from"."""
+        found = grammar().all_at(self.tokens, self.at, "negations", "prepositions")
+        return bool(found) and found[0].value in ("exclude", "gone", "far") and found[0].length > noun.end - noun.start
+
+    def _other_one(self, noun: Noun | None) -> Noun | None:
+        """The pronoun of "one holds three mugs, the other five plates", where a verb is left out."""
+        words = [self._text_at(self.at), self._text_at(self.at + 1)]
+        after = self.at + len(words)
+        counted = noun is not None and noun.kind == "thing" and noun.end > after
+        counted &= after < len(self.tokens) and self._is_count(after)
+        told = any(isinstance(chunk, Noun) and chunk.value == "one" for chunk in self.made)
+        if not counted or not told or words not in (["the", "other"], ["another", "one"]):
+            return noun
+        if any(isinstance(chunk, Noun) and noun is not None and chunk.value == noun.value for chunk in self.made):
+            return noun
+        text = "another" if words[0] == "another" else "the other"
+        return Noun("pronoun", "other", self.at, after, text)
+
+    def _is_count(self, at: int) -> bool:
+        """Whether a number comes."""
+        return self.tokens[at].kind == "number" or grammar().at(self.tokens, at, "count") is not None
+
     def _names_room(self) -> bool:
         """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""
         named = self.lexicon.longest(self.tokens, self.at)
@@ -302,8 +332,26 @@ class Cutter:
         """Read what is told by its first words alone."""
         if self.tokens[self.at].text in grammar().lists["befell"] and self._after_noun():
             return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+        if (said := self._restated()) is not None:
+            return said
         found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
         return found or self._after_modal() or self._described() or self._said_round()
+
+    def _restated(self) -> Stray | Connector | None:
+        """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""
+        last, told = self.made[-1:], self.made[-2:-1]
+        words = [self._text_at(self.at), self._text_at(self.at + 1)]
+        noun = self._phrases.read(self.at + 2) if words == ["that", "is"] and self.at + 2 < len(self.tokens) else None
+        bare = noun is not None and noun.kind == "number" and bool(noun.count) and not noun.of_known
+        if not bare or noun is None or not last or not isinstance(last[0], Connector) or last[0].value != "comma":
+            return None
+        if noun.end < len(self.tokens) and self.tokens[noun.end].kind != "mark":
+            return None
+        said = told[0] if told and isinstance(told[0], Noun) else None
+        pairs = said is not None and "pairs" in said.text.lower().split()
+        if said is not None and noun.count in (said.count, (said.count or 0) * 2 if pairs else said.count):
+            return Connector("fillers", "words", self.at, noun.end, "")
+        return Stray(self.at, noun.end, " ".join(token.shown for token in self.tokens[self.at : noun.end]))
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""

@@ -1,5 +1,6 @@
 """The words that hold English sentences together, read from grammar.toml."""
 
+import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -8,6 +9,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from thinkblox.reading.tokens import Token, tokenise
+
+_ANY = re.compile(r"\{(\w+)\}")
+"""In a phrase, any of the words of a list: "{denying} want"."""
 
 
 class Function(NamedTuple):
@@ -71,7 +75,7 @@ def grammar() -> Grammar:
     """The grammar words, read once."""
     data = tomllib.loads((Path(__file__).parent / "grammar.toml").read_text(encoding="utf-8"))
     made = Grammar(lists={name: frozenset(_split(words)) for name, words in data.pop("lists").items()})
-    for sort, value, phrase in _phrases(data):
+    for sort, value, phrase in _phrases(data, made.lists):
         key = tuple(token.text for token in tokenise(phrase))
         made.sorts.add(sort)
         made.begun.setdefault(key[0], set()).add(sort)
@@ -80,15 +84,27 @@ def grammar() -> Grammar:
     return made
 
 
-def _phrases(data: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, str, str]]:
+def _phrases(
+    data: Mapping[str, Mapping[str, str]], lists: Mapping[str, frozenset[str]]
+) -> Iterator[tuple[str, str, str]]:
     for sort, section in data.items():
         for value, phrases in section.items():
-            for phrase in _split(phrases):
+            for phrase in (spelt for said in _split(phrases) for spelt in _spelt(said, lists)):
                 if sort == "numbers":
                     number, _, words = phrase.partition(" ")
                     yield value, number, words
                 else:
                     yield sort, value, phrase
+
+
+def _spelt(phrase: str, lists: Mapping[str, frozenset[str]]) -> Iterator[str]:
+    """The phrase with every word of the lists that it names."""
+    named = _ANY.search(phrase)
+    if named is None:
+        yield phrase
+        return
+    for word in sorted(lists[named[1]]):
+        yield from _spelt(phrase[: named.start()] + word + phrase[named.end() :], lists)
 
 
 def _split(phrases: str) -> Iterator[str]:

@@ -295,5 +295,5 @@ class Having(Groups):
         if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
             self.at += comma
             self.subject = self.frontier[0]
-            self._open_of_subject("with" if verb == "have" else verb)
+            self._open_of_subject("with" if verb == "have" else self.holding if verb == "hold" else verb)
             self.verb = verb

@@ -483,7 +483,7 @@ class Meanings:
             return True
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         alone |= self._top_of_owner(subjects, likely) is not None
-        if said.value == "middle" and said.det != "my" and not (alone and likely):
+        if said.value == "middle" and said.det != "my" and not (alone and likely and self._has_top(likely)):
             return True
         if said.value == "side" and said.det in ("each", "either", "both") and self._is_beside_something(subjects):
             return False
@@ -570,12 +570,19 @@ class Meanings:
                 return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
         small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         small |= self._top_of_owner(subjects, likely) is not None
-        if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
+        named = bool(likely) and self._has_top(likely)
+        if small and named and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
             return self._middle_of_top(likely)
         return Meaning("in_centre", ("centre",))
 
     def _is_top(self, thing: Mention) -> bool:
         return load_habits().is_in(thing.noun, *_TOPS)
+
+    def _has_top(self, likely: list[Mention]) -> bool:
+        """Whether anything was named in the middle of which something can lie."""
+        carrying = (*_TOPS, "surfaces", "storage", "shelves", "covers")
+        soft = any(load_habits().is_in(t.noun, "beds", "lounges") for t in likely)
+        return soft or any(load_habits().is_in(t.noun, *carrying) for t in (*likely, *self.referents.draft.things))
 
     def _middle_of_top(self, likely: list[Mention]) -> Meaning:
         """In the middle of what has a top: the likeliest, or what was named last."""

@@ -3,15 +3,18 @@
 from dataclasses import replace
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
+from thinkblox.reading.english.said import is_spatial
 
 _TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry", "have", "share")
 """Verbs that tell something of what is there."""
 _NOT_PLACED = ("with", "without", "of", "for", "as", "except", "instead", "from", "to", "in")
 """Prepositions after which it is not said where things are."""
+_SO_FAR = 8
+"""So many chunks before "so is" at most it is told what is so."""
 _DENIED = ("is not", "are not", "isn't", "aren't", "isnt", "arent")
 """Verbs that deny what follows of their subject."""
 
@@ -29,6 +32,10 @@ def text_is_no(link: Connector) -> bool:
 class Negation(Positions):
     """Reads negations."""
 
+    def _verb(self, link: Connector) -> None:
+        """Read a verb."""
+        raise NotImplementedError
+
     def _negation(self, link: Connector) -> None:
         match link.value:
             case "not":
@@ -38,11 +45,37 @@ class Negation(Positions):
             case "only":
                 self._only()
             case "exclude":
-                self.excluding = True
+                self._refuse(link)
             case "gone":
-                self._gone()
+                self._gone(link)
             case "remove":
                 self._remove(link)
+            case "moved":
+                self._move(link)
+            case "so":
+                self._so()
+
+    def _refuse(self, link: Connector) -> None:
+        """Read "we don't need", "she vetoed": what follows is not to be there, or else what came before.
+
+        Before a place it denies what comes: "the desk can't stand by the bed".
+        """
+        after = self.peek()
+        if self._is_link(after, "prepositions"):
+            self._not(link)
+        elif after is None or self._is_link(after, "mark"):
+            self._gone(link)
+        else:
+            self.excluding = True
+
+    def _move(self, link: Connector) -> None:
+        """Read "was moved to the attic": it is not there; "was moved to the corner" says where it is."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        if noun is None or noun.kind != "room":
+            self._verb(replace(link, sort="verbs", value="stand"))
+            return
+        self._gone(link)
+        self._go_past(noun)
 
     def _not(self, link: Connector) -> None:
         noun = self.peek()
@@ -50,8 +83,7 @@ class Negation(Positions):
         if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
             self._take_back()
             return
-        asked = self.account.text(link.start - 1, link.start) == "?" and isinstance(self._before(2), Noun)
-        if text_is_no(link) and asked and self.draft.things:
+        if self._is_asked(link) and (text_is_no(link) or noun is None or self._is_link(noun, "mark")):
             self._take_back(self.draft.things[-1])
             return
         if isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite:
@@ -64,7 +96,7 @@ class Negation(Positions):
             return
         if self.relative is not None:
             self.subject, self.relative, self.predicate = self.relative, None, True
-        elif text == "not" and self._is_link(before, "joins", "but") and not self.predicate and self.frontier:
+        elif text == "not" and self._is_verbless(before, noun):
             self.subject, self.predicate = self.frontier[-1], True
         if said_of and self.subject is None:
             self.subject = self._whole_subject()
@@ -94,6 +126,16 @@ class Negation(Positions):
         self.at += 1 + self._is_link(self.peek(), "prepositions")
         self._begin()
 
+    def _is_verbless(self, before: Chunk | None, after: Chunk | None) -> bool:
+        """Whether a thing is denied a place without a verb: "the fridge not next to it", "but not on it"."""
+        placed = isinstance(before, Noun) and before.kind == "thing" and self._is_link(after, "prepositions")
+        return bool(self.frontier) and not self.predicate and (placed or self._is_link(before, "joins", "but"))
+
+    def _is_asked(self, link: Connector) -> bool:
+        """Whether it answers whether something is to be there: "A bench? No."."""
+        asked = self.account.text(link.start - 1, link.start) == "?" and isinstance(self._before(2), Noun)
+        return asked and bool(self.draft.things)
+
     def _take_back(self, thing: Mention | None = None) -> None:
         """Exclude what was named last: "a bench? No."."""
         thing = thing or (self.frontier[-1].thing if self.frontier else None)
@@ -101,9 +143,22 @@ class Negation(Positions):
             self.draft.drop(thing)
             self.draft.excluded.add(thing.noun)
 
-    def _gone(self) -> None:
+    def _gone(self, link: Connector) -> None:
         """Read "The popcorn machine is gone": it must not be there."""
-        before = self._before()
+        text = link.text.lower().replace("'", "")
+        if text in grammar().lists["leaving"] and self._is_link(self.peek(), "prepositions"):
+            self._verb(replace(link, sort="verbs", value="stand"))
+            return
+        if text in grammar().lists["misfitting"] and self._is_link(self.peek(), "prepositions"):
+            self._not(replace(link, text="not"))
+            return
+        if self._is_asked(link):
+            self._take_back(self.draft.things[-1])
+            return
+        before = next((c for c in self.chunks[self.at - 2 :: -1] if not self._is_link(c, "fillers")), None)
+        before = before if self.at > 1 else None
+        if self._is_kind_told_gone(before):
+            return
         counted = isinstance(before, Noun) and (before.of_known or not before.definite)
         counted &= isinstance(before, Noun) and (before.kind in ("thing", "number") or before.value == "one")
         if counted and before is not None and not self.predicate:
@@ -138,6 +193,25 @@ class Negation(Positions):
                 self.account.mark(chunk.start, chunk.end, "constraint")
         self._begin()
 
+    def _is_kind_told_gone(self, before: Chunk | None) -> bool:
+        """Read "A rug is out of the question", "Rugs are forbidden", where no such thing was named before."""
+        if not isinstance(before, Noun) or before.kind != "thing" or before.definite or self.predicate:
+            return False
+        things = self.meant.get(before.start, [])
+        named = [t for t in self.draft.things if t.noun == before.value and t not in things]
+        if not things or named or before.count is not None or self.clause.members != things:
+            return False
+        for thing in things:
+            self.draft.drop(thing)
+            self.draft.excluded.add(thing.noun)
+        return True
+
+    def _so(self) -> None:
+        """Read "and so is the clock" after what is not to be there."""
+        before = [c for c in self.chunks[max(0, self.at - _SO_FAR) : self.at - 1] if isinstance(c, Connector)]
+        barred = [c for c in before if c.sort not in ("mark", "joins", "fillers")]
+        self.excluding = bool(barred) and self._is_link(barred[-1], "negations", "gone", "moved")
+
     def _nothing(self) -> None:
         after = self.peek()
         but = self.peek(2)
@@ -166,8 +240,25 @@ class Negation(Positions):
             elif noun is not None and noun.kind == "thing":
                 self.at += 1
                 self._set_front(self._read_where(after))
+        elif isinstance(after, Connector) and is_spatial(after) and self._is_nothing_there(after):
+            return
         elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
+
+    def _is_nothing_there(self, link: Connector) -> bool:
+        """Read "nothing in the corner except a globe"; "nothing by the window" is not understood."""
+        noun = self._next_noun(1)
+        if noun is None or noun.kind not in ("place", "part", "thing"):
+            return False
+        self.at += 1
+        where = self._read_where(link)
+        if self._is_link(self.peek(), "joins", "but") or self._is_link(self.peek(), "prepositions", "except"):
+            self.at += 1
+            self.excluding = False
+            self._set_front(where)
+            return True
+        self._lose(link.start - 1, self.chunks[self.at - 1].end)
+        return True
 
     def _only_on(self, on: Connector) -> bool:
         """Read "(has) nothing on it but a bowl": what follows is there."""
@@ -208,6 +299,52 @@ class Negation(Positions):
             return
         self.excluding = True
 
+    def _has_own_place(self) -> bool:
+        """Whether a place after what is barred is its own, not that of what lacks it: "no lamp on the desk"."""
+        by = self._before()
+        if not isinstance(by, Connector) or by.sort != "prepositions":
+            return True
+        apart = self._is_link(self._before(2), "mark") or by.text.lower().startswith(("and", "but"))
+        return by.value == "without" and apart
+
+    def _is_of_barred(self, link: Connector) -> bool:
+        """Whether it only says where something is not to be: "no lamp on the desk", "no rug under the bed or in it"."""
+        barred = self.barred
+        if barred is None or self._chunk_end() not in (barred.end, self.placed_barred):
+            return False
+        noun = self._next_noun()
+        own = self.placed_barred >= 0 or (noun is not None and self._is_head_named(noun))
+        if not own:
+            return False
+        where = self._read_where(link)
+        self.placed_barred = link.end
+        for said in (where.noun, where.whole, where.second):
+            if said is None:
+                continue
+            self.placed_barred = max(self.placed_barred, said.end)
+            self._spend(said)
+            if said.kind == "thing" and said.definite:
+                self.anchors(said, [])
+            elif said.kind == "thing":
+                self._lose(link.start, said.end)
+        return True
+
+    def _is_head_named(self, noun: Noun) -> bool:
+        """Whether it is what the clause was about already: "a bench without a mirror above the bench"."""
+        known = self.referents.named(noun) if noun.kind == "thing" and noun.definite else None
+        return known is not None and any(known in node.things for node in self.frontier)
+
+    def _chunk_end(self) -> int:
+        """Where the noun before the chunk that is being read ends, past what joins two places or says how it stands."""
+        at = self.at - 2
+        while at >= 0 and (
+            self._is_link(self.chunks[at], "joins", "or", "and")
+            or self._is_link(self.chunks[at], "participles")
+            or self._is_link(self.chunks[at], "fillers")
+        ):
+            at -= 1
+        return self.chunks[at].end if at >= 0 else -1
+
     def _denies(self, noun: Noun) -> bool:
         """Whether something is denied of things that are there: "no desk faces a window"."""
         after, next_after = self.peek(), self.peek(1)
@@ -245,5 +382,6 @@ class Negation(Positions):
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None
         self.barred = noun
+        self.placed_barred = noun.end if self._has_own_place() else -1
         if self._is_link(self._before(), "prepositions", "instead") and not self._is_link(self.peek(), "joins"):
             self.excluding = False

@@ -334,6 +334,9 @@ class PhraseReader(Heads):
 
     def _parted(self, noun: Noun, at: int, known: Known | None) -> Known | None:
         """Take from a name what belongs to the words after it."""
+        described = self._known(at, "attribute") if known is not None and self.tokens[at].glued else None
+        if described is not None and known is not None and described.length > known.length:
+            return None
         return self._unglued(at, self._without_verb(noun, at, known))
 
     def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:

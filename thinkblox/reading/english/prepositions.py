@@ -52,7 +52,7 @@ class Prepositions(Negation):
                 {"except": self._except_next, "for": self._for, "among": self._among}[link.value](link)
             case "in" if isinstance(self.peek(), Measured):
                 self._lose_distance(link)
-            case _:
+            case _ if not self._is_of_barred(link):
                 self._began = self.at - 1
                 self._where(self._read_where(link))
 

@@ -9,6 +9,8 @@ from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
 
 _PAIR = 2
+_STOP = Connector("mark", "stop", 0, 0)
+"""What ends a text."""
 
 
 class Pronouns(Numbers):
@@ -79,6 +81,8 @@ class Pronouns(Numbers):
             return
         if noun.value == "none" and self._is_link(self._before(), "verbs", "be", "stand", "hang") and self.predicate:
             self.negating = True
+            return
+        if noun.value == "none" and self.barred is not None and self._is_link(self.peek() or _STOP, "mark"):
             return
         if self._is_somebodys(noun) or (noun.text.lower() == "another" and self._is_besides(_one_more(noun))):
             return

@@ -110,7 +110,7 @@ class SecondOpinion:
         """What is open about a position; empty where it was read as it stands there."""
         named = place.of[0] if place.of else place.led
         subjects = self._things(named, *place.of[1:], *(place.over if self._goes_on(place) else ()))
-        if named is None or named.kind != "thing" or not subjects:
+        if named is None or named.kind != "thing" or not subjects or self._is_barred(named):
             return ""
         anchor = place.anchor
         if anchor is not None and anchor.kind == "thing":
@@ -118,6 +118,10 @@ class SecondOpinion:
         else:
             question = "where?" if place.of and not self._has_place(place, subjects) else ""
         return question or self._of_side(place, subjects)
+
+    def _is_barred(self, noun: Noun) -> bool:
+        """Whether it names what is not to be there, so that it is nowhere."""
+        return noun.value in self._draft.excluded and not self._meant.get(noun.start)
 
     def _of_thing(
         self, place: SaidPosition, places: Sequence[SaidPosition], subjects: Sequence[Mention], anchor: Noun

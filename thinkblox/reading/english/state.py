@@ -30,6 +30,7 @@ class State(Namer):
         whole: the several whose parts a colon or dash begins to tell.
         fresh: what the sentence named for the first time as an anchor.
         verb, said: the verb of this clause, and of the one that a semicolon ended.
+        holding: how what is held stood to its holder, where that was said last.
         bracket: what was spoken of before an open bracket.
         dashed: whether that bracket is a dash.
         ordinals: which of a family is the first, the second, ...
@@ -56,6 +57,7 @@ class State(Namer):
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last; `excluded_by`: by which phrase each such thing was.
+        placed_barred: where the words end that say of it where it is not to be; -1 where these are of something else.
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for; `antecedents` weighs what pronouns point back to by it.
         unsure: phrases for one thing that several were named by, and these.
@@ -88,6 +90,7 @@ class State(Namer):
         self.clause = Listed()
         self.said = ""
         self.verb = ""
+        self.holding = "hold"
         self.bracket: tuple[list[Node], Listed, Node | None, bool] | None = None
         self.dashed = False
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
@@ -102,6 +105,7 @@ class State(Namer):
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
         self.barred: Noun | None = None
+        self.placed_barred = -1
         self.excluded_by: dict[str, Noun] = {}
         self.laid = False
         self.spoken_of: Mention | None = None

@@ -113,7 +113,8 @@ class Verbs(Prepositions):
             case "hold" | "carry" if self._is_link(self.peek(), "mark"):
                 self._lose(link.start, link.end)
             case "hold" | "carry":
-                self._open_of_subject(_held(link))
+                self.holding = _held(link)
+                self._open_of_subject(self.holding)
             case verb if verb in _STANDS:
                 self._stand(_STANDS[verb])
             case "share":
