@@ -16,6 +16,7 @@ from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -67,7 +68,16 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    for rewritten in (with_booths, with_laid, with_doings, with_nouns, with_answers, with_furniture, with_centres):
+    for rewritten in (
+        with_booths,
+        with_laid,
+        with_doings,
+        with_others,
+        with_nouns,
+        with_answers,
+        with_furniture,
+        with_centres,
+    ):
         chunks = rewritten(chunks)
     draft = Clauses(tokens, chunks).read()
     draft.surfaces += noted

@@ -74,6 +74,8 @@ class Several(Boundaries):
             told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
             if told and (whole is None or whole not in self.sides) and not self._are_newer(whole, told[-1]):
                 return told[-1]
+        if noun.side and not noun.ordinal and (found := self._told_at_side(noun, besides)) is not None:
+            return found
         if whole is None:
             return self._of_look(noun, besides)
         parts = self.referents.parts.get(whole, [])
@@ -95,6 +97,19 @@ class Several(Boundaries):
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _told_at_side(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
+        """What was said to be on that side of something: "the left nightstand"; "the left one" of one on each side."""
+        at: dict[str, list[Mention]] = {"left": [], "right": []}
+        for bond in self.draft.bonds:
+            side = bond.kind.removesuffix("_of")
+            if side in at and not bond.negated and bond.subject.asked and bond.subject not in besides:
+                at[side].append(bond.subject)
+        here = [t for t in at.get(noun.side, ()) if not t.many]
+        if noun.kind == "thing":
+            return next((t for t in reversed(here) if t.noun == noun.value), None)
+        there = {t.noun for side, things in at.items() if side != noun.side for t in things}
+        return next((t for t in reversed(here) if t.noun in there), None)
 
     def _of_look(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
         """The red chair that "the red one" means where a red and a blue chair were named."""

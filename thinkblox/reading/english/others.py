@@ -1,0 +1,80 @@
+"""One of two at the sides of something: "a nightstand on the left of the bed and one on the right"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+
+_SIDES = ("left", "right")
+_ONE = ("one", "the one", "another", "another one", "the other", "the other one")
+
+
+def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "one on the right" and "the right one" name what was told to be on the left."""
+    made = list(chunks)
+    thing: Noun | None = None
+    told: dict[str, Noun] = {}
+    at = 0
+    while at < len(made):
+        said, part = made[at], _side_after(made, at)
+        if isinstance(said, Noun) and said.kind == "thing" and part is not None:
+            told = told if thing is not None and said.value == thing.value else {}
+            thing = None if said.many else said
+            told[part.value] = part
+        elif isinstance(said, Noun) and thing is not None:
+            found = _once_more(thing, said, part, told)
+            length = _length(made, at) if found[:1] and found[0].side and part is not None else 1
+            made[at : at + length] = found or [said]
+        at += 1
+    return made
+
+
+def _once_more(thing: Noun, said: Noun, part: Noun | None, told: dict[str, Noun]) -> list[Noun]:
+    """The thing in place of "one", by its side where things are on both; and that side where nothing is there yet."""
+    text = said.text.lower()
+    if part is not None and text in _ONE:
+        if part.value in told:
+            return [_named(thing, said, "the", part.value)] if text == "the one" and len(told) > 1 else []
+        told[part.value] = part
+        return [_named(thing, said, "another")]
+    if said.kind != "number" or said.side not in _SIDES or text != f"the {said.side} one":
+        return []
+    if said.side in told:
+        return [_named(thing, said, "the", said.side)]
+    return []
+
+
+def _side_after(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """Left or right, where that comes after a thing: "on the left", "stands to the right"."""
+    place = at + 2 if at + 1 < len(chunks) and _is(chunks[at + 1], "verbs", "participles") else at + 1
+    if place + 1 >= len(chunks) or not _is(chunks[place], "prepositions"):
+        return None
+    part = chunks[place + 1]
+    return part if isinstance(part, Noun) and part.kind == "part" and part.value in _SIDES else None
+
+
+def _length(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks "the one on the right", "the one on the right of the bed" are."""
+    of = chunks[at + 3] if at + 4 < len(chunks) else None
+    return 5 if isinstance(of, Connector) and of.value == "of" and isinstance(chunks[at + 4], Noun) else 3
+
+
+def _is(chunk: Chunk, *sorts: str) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort in sorts
+
+
+def _named(thing: Noun, said: Noun, det: str, side: str = "") -> Noun:
+    """The thing, named once more where a word stood for it."""
+    return replace(
+        thing,
+        det=det,
+        count=1 if det == "another" else None,
+        start=said.start,
+        end=said.end,
+        side=side,
+        text=f"{det} {thing.word}",
+        attributes=[*said.attributes],
+        unshown=[*said.unshown],
+        states=[*said.states],
+        of_known=False,
+    )
