@@ -685,3 +685,79 @@ def test_round_after_a_word_that_is_no_thing_is_a_shape(prompt: str) -> None:
     rug = read_brief(prompt, fill="named").requests[-1]
     assert rug.category.endswith("rug")
     assert "round" in rug.attributes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A chair with a blanket over it", "1 blanket on chair"),
+        ("Two beds, each with a throw over it", "2 blanket on bed"),
+        ("A sofa. A wool blanket lies over the sofa.", "1 blanket on sofa"),
+        ("A quilt hangs on the wall over the bed", "1 blanket above bed"),
+        ("A bed with a shelf over it", "1 wall_shelf above bed"),
+    ],
+)
+def test_a_cloth_lies_over_furniture(prompt: str, relation: str) -> None:
+    brief = read_brief(prompt)
+    assert relation in related(brief)
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "categories"),
+    [
+        ("A crystal ball on the table.", {"crystal_ball", "dining_table"}),
+        ("A chocolate bar on the desk.", {"chocolate_bar", "desk"}),
+        ("Smack in the middle, a round table.", {"dining_table"}),
+        ("On the counter you'd find a cash register.", {"counter", "cash_register"}),
+        ("A class for grown-ups with a desk.", {"desk"}),
+        ("A room, a bit dark, with a bed.", {"bed"}),
+        ("A bookcase full of train magazines.", {"bookcase", "train_magazine"}),
+        ("A low table with four cushions around it.", {"coffee_table", "floor_cushion"}),
+    ],
+)
+def test_turns_of_phrase_ask_for_nothing_else(prompt: str, categories: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert {request.category for request in brief.requests if request.asked} == categories
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "untold"),
+    [
+        ("A lobby with everything orange and a sofa.", ("everything orange",)),
+        ("A room used to train a robot. A sofa.", ("used to train a robot",)),
+    ],
+)
+def test_what_everything_is_like_and_what_a_room_is_used_for_are_told(prompt: str, untold: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert brief.unknown == untold
+    assert {request.category for request in brief.requests if request.asked} == {"sofa"}
+
+
+def test_an_overhead_camera_hangs() -> None:
+    brief = read_brief("Overhead camera hung from the ceiling above the desk.")
+    assert related(brief) >= {"1 camera on ceiling", "1 camera above desk"}
+
+
+def test_what_is_under_a_thing_on_the_wall_is_not_on_the_wall() -> None:
+    brief = read_brief("On the wall is a clock, under the clock a vase on a stand.")
+    assert related(brief) == {"1 clock on wall", "1 vase under clock", "1 vase on side_table"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room"),
+    [
+        ("The vestry of a church, 3 x 4 m. A safe in the corner.", "vestry"),
+        ("Bingo night in the parish hall: six tables.", "community_hall"),
+        ("Language lab, five desks.", "language_lab"),
+        ("Vertical farm, 6 x 8 m. Four crates.", "vertical_farm"),
+        ("Airport security lane, 7 by 9 m. Two suitcases.", "security_checkpoint"),
+        ("A bunker with four bunk beds.", "shelter"),
+        ("Tailor's workroom, 4 x 3 m. A table.", "sewing_room"),
+    ],
+)
+def test_further_kinds_of_rooms(prompt: str, room: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.room_type == room
+    assert not brief.unknown

@@ -416,3 +416,31 @@ def test_what_is_at_every_seat_is_on_the_table() -> None:
     on = {relation.subject: relation.anchors for relation in brief.relations if relation.kind == "on"}
     assert set(on.values()) == {("dining_table",)}
     assert set(on) == {"plate", "fork", "glass"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("Two shelves against the wall; each stores five boxes.", {"shelving_unit": 2, "box": 10}),
+        ("Three cabinets. Each houses a printer.", {"cabinet": 3, "printer": 3}),
+        ("Two tables. Each displays four vases.", {"dining_table": 2, "vase": 8}),
+        ("Six desks with two chairs each, and every other desk also gets a vase.", {"chair": 12, "vase": 3}),
+        ("Two long desks with four chairs each; every player has a monitor and a mug.", {"monitor": 8, "cup": 8}),
+        ("A classroom, five rows with three desks each.", {"school_desk": 15}),
+        ("A chapel with four rows with two pews each and an altar.", {"pew": 8, "altar": 1}),
+        ("Four desks. Every one of these desks has a lamp.", {"desk": 4, "desk_lamp": 4}),
+        ("Two kilns, one per back corner.", {"kiln": 2}),
+    ],
+)
+def test_what_each_of_them_holds_or_has_is_counted(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    asked = dict.fromkeys(counts, 0)
+    for request in brief.requests:
+        if request.asked and request.category in counts:
+            asked[request.category] += request.count
+    assert asked == counts
+    assert not brief.unknown
+
+
+def test_seats_of_several_kinds_seat_nobody_knows_how_many() -> None:
+    assert read_brief("A sofa and two armchairs. Everyone gets a mug.").unknown

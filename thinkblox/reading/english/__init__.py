@@ -15,6 +15,7 @@ from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.slips import meant_by
@@ -64,7 +65,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = _spelt_out(lexicon.tokens(text))
+    tokens = plainly(_spelt_out(lexicon.tokens(text)))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)

@@ -52,4 +52,4 @@ def _is_soft(before: list[Chunk]) -> bool:
     """Whether it hangs down over what it is on: "a coat over the chair", "a towel hangs over the rail"."""
     links = ("verbs", "participles")
     said = next((c for c in reversed(before) if not (isinstance(c, Connector) and c.sort in links)), None)
-    return isinstance(said, Noun) and said.kind == "thing" and said.word in grammar().lists["soft"]
+    return isinstance(said, Noun) and said.kind == "thing" and said.word in grammar().lists["drapes"]

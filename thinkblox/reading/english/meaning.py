@@ -8,6 +8,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.antecedents import Antecedents
 from thinkblox.reading.english.chunks import Noun, are_neighbours
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
@@ -90,9 +91,22 @@ class Meanings:
             meaning = self._of(where, subjects, likely, noun)
         if meaning is None or not meaning.anchors:
             return None
+        if meaning.kind == "above" and self._is_draped(where, subjects, noun, meaning):
+            meaning.kind = "on"
         said = where.whole or where.noun
         meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
         return meaning
+
+    def _is_draped(self, where: Where, subjects: list[Mention], noun: str, meaning: Meaning) -> bool:
+        """Whether a cloth lies over furniture rather than hanging above it: "a chair with a blanket over it"."""
+        names = [subject.noun for subject in subjects] or [noun]
+        over = where.text.lower().partition(" ")[0] == "over"
+        cloths = all(name.rpartition("_")[2] in grammar().lists["drapes"] for name in names)
+        things = [anchor for anchor in meaning.anchors if isinstance(anchor, Mention)]
+        hung = any(
+            a == "wall" for subject in subjects for b in self.referents.draft.bonds_of(subject) for a in b.anchors
+        )
+        return over and cloths and not hung and bool(things) and not any(is_small(thing) for thing in things)
 
     def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         said = where.noun

@@ -84,6 +84,17 @@ class PhraseReader(Heads):
                 return end + 1 - at
         return 0
 
+    def _is_each_doing(self, start: int) -> bool:
+        """Whether "each" is told what it does, though the verb could be a noun: "each stores five boxes"."""
+        doing = grammar().at(self.tokens, start + 1, "verbs") if self.tokens[start].text == "each" else None
+        if (
+            doing is None
+            or doing.value not in ("hold", "carry", "have")
+            or not self.tokens[start + 1].text.endswith("s")
+        ):
+            return False
+        return grammar().at(self.tokens, start + 1 + doing.length, "count", "determiners", "quantifiers") is not None
+
     def _ends_with_them(self, start: int, end: int) -> bool:
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
         ends = self._text(start, end).lower().endswith((" them", " which"))
@@ -91,7 +102,7 @@ class PhraseReader(Heads):
 
     def _each_before_number(self, start: int, length: int, *, after_preposition: bool) -> int:
         """Length of an "each" after which so many of something new come; 0 where it belongs to what follows."""
-        if after_preposition and self._is_each_of_those(start):
+        if self._is_each_doing(start) or (after_preposition and self._is_each_of_those(start)):
             return 1
         return length if length and self._counts_after(start, length) else 0
 

@@ -581,7 +581,8 @@ class Positions(Subjects):
         meaning = self.meanings.of(where, [], likely, noun)
         if self.separator in ("and", "comma", "comma_and"):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
-            self.front = [f for f in self.front if f.kind == "on" and small]
+            small_front = [f for f in self.front if f.kind == "on" and small]
+            self.front = [f for f in small_front if f.anchors[0] != "wall" or self._may_be_hung(noun)]
         if meaning is not None:
             self._keep_in_mind(where, meaning)
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
@@ -595,6 +596,10 @@ class Positions(Subjects):
         self.pending = None
         if self._is_link(self.peek(), "mark", "comma"):
             self.at += 1
+
+    def _may_be_hung(self, noun: str) -> bool:
+        """Whether a small thing may hang on a wall as well: a clock or a photo, not a vase."""
+        return self._belongs(noun, "wallpieces") or noun.rpartition("_")[2] in grammar().lists["hung"]
 
     def _noun_ahead(self) -> str:
         for ahead in range(3):

@@ -225,11 +225,17 @@ class Rooms(Memberships):
         if everyone and self._is_link(self.peek(), "verbs", "have"):
             seats = (t.seats * (t.count or 1) for t in reversed(self.draft.things) if t.seats)
             self._begin()
-            self.crowd = self.draft.people or next(seats, 0)
+            self.crowd = self.draft.people or next(seats, 0) or self._seats_named()
             if not self.crowd:
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _seats_named(self) -> int:
+        """How many have a seat, where the seats were counted: ten players on ten gaming chairs."""
+        seats = [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs")]
+        counted = all(t.count is not None and not t.vague for t in seats)
+        return sum(self.referents.total(t) for t in seats) if counted and len({t.noun for t in seats}) == 1 else 0
 
     def _sits_somewhere(self, noun: Noun) -> bool:
         """Go past where somebody is, which is where no thing is said to be: "the doctor sits behind the desk, ..."."""

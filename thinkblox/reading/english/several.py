@@ -70,12 +70,10 @@ class Several(Boundaries):
         those = self._told_before(noun, whole, besides) if noun.kind == "number" else None
         if those is not None:
             return those
-        if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
-            told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
-            if told and (whole is None or whole not in self.sides) and not self._are_newer(whole, told[-1]):
-                return told[-1]
-        if noun.side and not noun.ordinal and (found := self._told_at_side(noun, besides)) is not None:
-            return found
+        if noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
+            there = self._parted_by_side(noun, whole, besides) or self._told_at_side(noun, besides)
+            if there is not None:
+                return there
         if whole is None:
             return self._of_look(noun, besides)
         parts = self.referents.parts.get(whole, [])
@@ -97,6 +95,12 @@ class Several(Boundaries):
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _parted_by_side(self, noun: Noun, whole: Mention | None, besides: Sequence[Mention]) -> Mention | None:
+        """Which of several that were told apart by their sides "the left one" is."""
+        told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
+        alone = noun.kind == "number" and told and (whole is None or whole not in self.sides)
+        return told[-1] if alone and not self._are_newer(whole, told[-1]) else None
 
     def _told_at_side(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
         """What was said to be on that side of something: "the left nightstand"; "the left one" of one on each side."""

@@ -19,9 +19,11 @@ def unread_at(tokens: Sequence[Token], at: int) -> int:
     if length := turn_at(tokens, at):
         return length
     words = [token.text for token in tokens[at : at + _LONGEST]]
+    if _is_use(words) and grammar().at(tokens, at + 2, "verbs") is None:
+        return next((n for n, token in enumerate(tokens[at:]) if token.kind == "mark"), len(tokens) - at)
     if length := _degrees(words):
         return _to_end(tokens, at, length)
-    for reader in (_comparison, _money, _height, _state, _painted):
+    for reader in (_comparison, _money, _height, _state, _painted, _of_all):
         if length := reader(words):
             return _to_end(tokens, at, length) if reader is _painted else length
     before = tokens[at - 1].text if at else ""
@@ -101,6 +103,17 @@ def _painted(words: list[str]) -> int:
         return at + 1 if at + 1 < len(words) and not _is_in(words[at + 1], "before_other_than_paint") else 0
     shade = words[at + 1 : at + 2] if _next_is(words, at, "before_paint") else words[at : at + 1]
     return at + 1 if at == 2 and shade and shade[0] in LOOKS else 0
+
+
+def _is_use(words: list[str]) -> bool:
+    """Whether it is told what the room is for: "used to train a robot"."""
+    return words[:2] == ["used", "to"] and words[2:3] not in ([], ["be"], ["the"], ["it"])
+
+
+def _of_all(words: list[str]) -> int:
+    """Read "everything orange", "everything in white"."""
+    at = 2 if words[1:2] in (["in"], ["is"]) else 1
+    return at + 1 if words[:1] == ["everything"] and at < len(words) and words[at] in LOOKS else 0
 
 
 def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
