@@ -311,3 +311,36 @@ def test_a_number_of_nobody_knows_what_changes_none() -> None:
 def test_what_hangs_from_the_ceiling_is_on_no_wall() -> None:
     basket = read_brief("Five hanging baskets from the ceiling.", fill="named").request("basket")
     assert basket.attributes == ("hanging",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        (
+            "Two desks. The larger one has a laptop on it and the smaller one a globe. A clock hangs above the former.",
+            ("above", "clock", "desk"),
+        ),
+        (
+            "Two tables: the bigger one carries a cup, the smaller one only a globe. A chair faces the latter.",
+            ("facing", "chair", "dining_table-2"),
+        ),
+        ("An abacus on a low table, with three beanbags around it.", ("around", "bean_bag", "coffee_table")),
+        ("A globe on a desk. Three stools stand around it.", ("around", "stool", "desk")),
+    ],
+)
+def test_it_is_furniture_that_others_stand_to(prompt: str, relation: tuple[str, str, str]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert relation in {(r.kind, r.subject, r.anchors[0]) for r in brief.relations if r.anchors}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "red"),
+    [
+        ("A vase and a bowl on a table. The former is red.", "vase"),
+        ("A vase and two bowls on a table. The latter are red.", "bowl"),
+        ("A sofa and a desk. The former is red.", "sofa"),
+    ],
+)
+def test_which_of_two_is_meant(prompt: str, red: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert [r.key for r in brief.requests if "red" in r.attributes] == [red]

@@ -168,7 +168,8 @@ class Meanings:
         name = subject.noun if subject is not None else noun
         chosen = self.antecedents.choose(self._words, kind, subjects, name, found, one=one)
         slides = is_small_name(name) and name in load_habits().known()
-        return self._carrier_of(chosen) if kind == "under" and not slides else chosen
+        seats = kind == "around" and load_habits().is_in(name, "seats", "chairs", "lounges")
+        return self._carrier_of(chosen) if seats or (kind == "under" and not slides) else chosen
 
     def _carrier_of(self, thing: Mention) -> Mention:
         """What a small thing lies on, as nothing but that can have something standing under it."""

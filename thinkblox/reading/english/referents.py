@@ -251,8 +251,33 @@ class Referents:
         if len(recent) < 2:
             return None
         order = sorted(recent, key=self.draft.things.index) if set(recent) <= set(self.draft.things) else recent[::-1]
+        if any(is_small(thing) for thing in recent):
+            order = self._two_apart(besides) or self._two_joined(recent) or self._two_carried(order) or order
         self.two = order
         return order[0] if which == "former" else order[1]
+
+    def _two_apart(self, besides: Sequence[Mention]) -> list[Mention]:
+        """The two tables that were told apart last, where what lies on them was spoken of since."""
+        for thing in reversed(self.spoken[-_MEMORY:]):
+            family = self.family(thing)
+            told = len(family) == len(("former", "latter")) and self.is_apart(thing)
+            if told and not any(t in besides or is_small(t) or t.many for t in family):
+                return family
+        return []
+
+    def _two_joined(self, recent: Sequence[Mention]) -> list[Mention]:
+        """The vase and the bowl of "a vase and a bowl on a table"."""
+        joined = [thing for thing in self.joined if thing in self.draft.things]
+        two = len(joined) == len(("former", "latter")) and not set(joined).isdisjoint(recent)
+        return joined if two else []
+
+    def _two_carried(self, two: Sequence[Mention]) -> list[Mention]:
+        """The vase and the bowls of "a vase and two bowls on a table", where the table was spoken of last."""
+        bonds = [b for thing in two for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside")]
+        carrier = next((a for b in bonds for a in b.anchors if a in two), None)
+        lying = [b.subject for b in self.draft.bonds if b.kind in ("on", "inside") and carrier in b.anchors]
+        both = carrier is not None and len(lying) == len(two) and set(lying) <= set(self.spoken[-_MEMORY:])
+        return sorted(lying, key=self.draft.things.index) if both else []
 
     def family(self, thing: Mention) -> list[Mention]:
         """All the parts of the several that a thing was set apart from, or that were set apart from it."""
