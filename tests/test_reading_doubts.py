@@ -73,7 +73,7 @@ from thinkblox.reading import read_brief
          ["1 nightstand left_of bed", "1 nightstand-2 right_of bed"]),
         ("The nightstand to the left of the bed has a lamp, the one on the right a clock.",
          ["1 table_lamp on nightstand", "1 clock on nightstand-2"]),
-        ("A nightstand is to the left of the bed and another to the right. The left one has a lamp, the right one a book.",
+        ("A nightstand is left of the bed and another to the right. The left one has a lamp, the right one a book.",
          ["1 table_lamp on nightstand", "1 book on nightstand-2"]),
         ("A bathtub and a towel rail next to the shower.", ["1 towel_rail next_to shower_cabin"]),
         ("A sofa with a table on each side.", ["1 side_table left_of sofa", "1 side_table-2 right_of sofa"]),
