@@ -23,25 +23,35 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
             told[part.value] = part
         elif isinstance(said, Noun) and thing is not None:
             found = _once_more(thing, said, part, told)
-            length = _length(made, at) if found[:1] and found[0].side and part is not None else 1
-            made[at : at + length] = found or [said]
+            length = _length(made, at) if found is not None and found.side and part is not None else 1
+            made[at : at + length] = [found or said]
+            if found is not None:
+                _put_verb(made, at, at + 1 if found.side else at + 3)
         at += 1
     return made
 
 
-def _once_more(thing: Noun, said: Noun, part: Noun | None, told: dict[str, Noun]) -> list[Noun]:
-    """The thing in place of "one", by its side where things are on both; and that side where nothing is there yet."""
+def _put_verb(chunks: list[Chunk], at: int, after: int) -> None:
+    """Say once more what is left out in "the left one has a lamp, the right one a book"."""
+    noun, comma = chunks[after] if after < len(chunks) else None, chunks[at - 1]
+    verb = next((c for c in reversed(chunks[:at]) if _is(c, "verbs") or _is_end(c)), None)
+    listed = isinstance(comma, Connector) and comma.value in ("comma", "and", "semicolon", "but")
+    bare = listed and isinstance(noun, Noun) and noun.kind == "thing"
+    if bare and noun is not None and isinstance(verb, Connector) and verb.value in ("have", "hold", "carry"):
+        chunks.insert(after, replace(verb, start=noun.start, end=noun.start))
+
+
+def _once_more(thing: Noun, said: Noun, part: Noun | None, told: dict[str, Noun]) -> Noun | None:
+    """The thing in place of "one", by its side where that is taken, else another; None for other words."""
     text = said.text.lower()
     if part is not None and text in _ONE:
         if part.value in told:
-            return [_named(thing, said, "the", part.value)] if text == "the one" and len(told) > 1 else []
+            return _named(thing, said, "the", part.value) if text == "the one" and len(told) > 1 else None
         told[part.value] = part
-        return [_named(thing, said, "another")]
-    if said.kind != "number" or said.side not in _SIDES or text != f"the {said.side} one":
-        return []
-    if said.side in told:
-        return [_named(thing, said, "the", said.side)]
-    return []
+        return _named(thing, said, "another")
+    if said.kind != "number" or said.side not in told or text != f"the {said.side} one":
+        return None
+    return _named(thing, said, "the", said.side)
 
 
 def _side_after(chunks: Sequence[Chunk], at: int) -> Noun | None:
@@ -49,7 +59,9 @@ def _side_after(chunks: Sequence[Chunk], at: int) -> Noun | None:
     place = at + 2 if at + 1 < len(chunks) and _is(chunks[at + 1], "verbs", "participles") else at + 1
     if place + 1 >= len(chunks) or not _is(chunks[place], "prepositions"):
         return None
-    part = chunks[place + 1]
+    link, part = chunks[place : place + 2]
+    if isinstance(link, Connector) and link.value in ("left_of", "right_of"):
+        return Noun("part", link.value.removesuffix("_of"), link.start, link.end, link.text)
     return part if isinstance(part, Noun) and part.kind == "part" and part.value in _SIDES else None
 
 
@@ -61,6 +73,10 @@ def _length(chunks: Sequence[Chunk], at: int) -> int:
 
 def _is(chunk: Chunk, *sorts: str) -> bool:
     return isinstance(chunk, Connector) and chunk.sort in sorts
+
+
+def _is_end(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.value == "stop"
 
 
 def _named(thing: Noun, said: Noun, det: str, side: str = "") -> Noun:
