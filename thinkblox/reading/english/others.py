@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 
 _SIDES = ("left", "right")
-_ONE = ("one", "the one", "another", "another one", "the other", "the other one")
+_ONE, _OTHER = ("one", "the one"), ("another", "another one", "the other", "the other one")
 
 
 def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -44,6 +44,9 @@ def _put_verb(chunks: list[Chunk], at: int, after: int) -> None:
 def _once_more(thing: Noun, said: Noun, part: Noun | None, told: dict[str, Noun]) -> Noun | None:
     """The thing in place of "one", by its side where that is taken, else another; None for other words."""
     text = said.text.lower()
+    if part is not None and text in _OTHER:
+        told.setdefault(part.value, part)
+        return None
     if part is not None and text in _ONE:
         if part.value in told:
             return _named(thing, said, "the", part.value) if text == "the one" and len(told) > 1 else None

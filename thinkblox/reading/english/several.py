@@ -71,7 +71,7 @@ class Several(Boundaries):
         if those is not None:
             return those
         if noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
-            there = self._parted_by_side(noun, whole, besides) or self._told_at_side(noun, besides)
+            there = self._parted_by_side(noun, whole, besides) or self._told_at_side(noun, whole, besides)
             if there is not None:
                 return there
         if whole is None:
@@ -102,7 +102,7 @@ class Several(Boundaries):
         alone = noun.kind == "number" and told and (whole is None or whole not in self.sides)
         return told[-1] if alone and not self._are_newer(whole, told[-1]) else None
 
-    def _told_at_side(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
+    def _told_at_side(self, noun: Noun, whole: Mention | None, besides: Sequence[Mention]) -> Mention | None:
         """What was said to be on that side of something: "the left nightstand"; "the left one" of one on each side."""
         at: dict[str, list[Mention]] = {"left": [], "right": []}
         for bond in self.draft.bonds:
@@ -110,6 +110,7 @@ class Several(Boundaries):
             if side in at and not bond.negated and bond.subject.asked and bond.subject not in besides:
                 at[side].append(bond.subject)
         here = [t for t in at.get(noun.side, ()) if not t.many]
+        here = [t for t in here if whole is None or not self._are_newer(whole, t)]
         if noun.kind == "thing":
             return next((t for t in reversed(here) if t.noun == noun.value), None)
         there = {t.noun for side, things in at.items() if side != noun.side for t in things}
