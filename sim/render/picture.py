@@ -37,7 +37,7 @@ class Settings:
     exposure: float
     background: Floats
     coarse: int = 2
-    edge_rays: int = 9
+    edge_rays: int = 11
 
 
 @dataclass(frozen=True)
@@ -284,10 +284,11 @@ def _seen_and_spacing(job: _Job, points: Surfels) -> tuple[Floats, Floats]:
 def _spread_over_pixel(count: int) -> Floats:
     """Places (count, 2) in and a little around a unit square, one in each row and column of a grid.
 
-    They reach past the pixel, so that a line thinner than it does not turn into dashes.
+    They reach past the pixel, so that a line thinner than it does not turn into dashes; and no few of them lie in line
+    along the edges of a room that is seen over its corner, two pixels across for one down.
     """
     i = np.arange(count)
-    places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.42), 1) % count + 0.5) / count], 1)
+    places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.2), 1) % count + 0.5) / count], 1)
     return (np.float32(1.5) * (places - 0.5) + 0.5).astype(np.float32)
 
 
