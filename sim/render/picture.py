@@ -121,10 +121,11 @@ def paint(
     tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: Settings, *, within: Floats | None = None
 ) -> NDArray[np.uint8]:
     """An sRGB picture (size, size, 3); only the part that points (n, 3) of the room fill, the rest empty, if given."""
-    shader = Shader(tracer.triangles, lights, _pixel(camera, size))
+    bounce = bounce_table(tracer, lights)
+    shader = Shader(tracer, lights, _pixel(camera, size), bounce)
     filled = tracer.triangles.vertices if within is None else within
     window = _window(filled, camera, size, 4 * settings.coarse)
-    job = _Job(tracer, camera, size, window, lights, settings, bounce_table(tracer, lights), shader)
+    job = _Job(tracer, camera, size, window, lights, settings, bounce, shader)
     middle = np.arange(size, dtype=np.float32) + np.float32(0.5)
     down, across = (middle[part] for part in window.part)
     points = see(tracer, camera, np.tile(across, window.height), np.repeat(down, window.width), size)
