@@ -246,17 +246,33 @@ def _knobs(front: float, y: float, z: float, count: int) -> list[Part]:
 
 
 def oven(spec: Spec) -> Build:
-    """Return a built-in oven."""
+    """Return a built-in oven; where it is as high as a worktop, in a unit with a drawer's front under it and a top."""
     x, y, z = spec.size
     finish, front = spec.main(STEEL), x / 2 - 0.042
-    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), lid=0.12))
-    build.body += _knobs(front, y, z - 0.06, 2)
+    low, high = (z - _UNIT_TOP - _BUILT_IN, z - _UNIT_TOP) if z >= _UNIT else (0.0, z)
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (low, high), lid=0.12))
+    build.body += _knobs(front, y, high - 0.06, 2)
     face = face_of(
-        "door", (front + 0.002, x / 2), (-y / 2 + 0.004, y / 2 - 0.004), (0.02, z - 0.125), finish, GREY_METAL
+        "door", (front + 0.002, x / 2), (-y / 2 + 0.004, y / 2 - 0.004), (low + 0.02, high - 0.125), finish, GREY_METAL
     )
     build.moving.append(flap(face, window=True))
+    if low:
+        plinth, case = min(0.1, 0.5 * low), spec.style.paint
+        build.body += [
+            box(DARK_PLASTIC, (-x / 2, front - 0.05), (-y / 2, y / 2), (0, plinth)),
+            box(case, (-x / 2, front), (-y / 2, y / 2), (plinth, low)),
+            box(case, (front, front + 0.018), around(0, y - 0.006), (plinth + 0.002, low - 0.002)),
+            box(
+                spec.style.metal, (front + 0.018, x / 2 - 0.004), around(0, 0.3 * y), around((plinth + low) / 2, 0.014)
+            ),
+            box(spec.style.wood, (-x / 2, front + 0.02), (-y / 2, y / 2), (high, z)),
+        ]
     _top(build, spec, (-x / 2, front))
     return build
+
+
+_BUILT_IN, _UNIT_TOP, _UNIT = 0.6, 0.034, 0.74
+"""Heights of a built-in oven, of the worktop over it, and of a unit that has one [m]."""
 
 
 def dishwasher(spec: Spec) -> Build:

@@ -90,8 +90,9 @@ def bedding(build: Build, spec: Spec, x: Range, y: Range, z: Range, *, blanket: 
             WHITE_COTTON if k % 2 == 0 or count == 2 else cover,
             (x[0] + 0.03, x[0] + 0.42),
             around(mid, size),
-            (mattress_top + 0.01, mattress_top + 0.14),
-            edge=0.4,
+            (mattress_top - 0.06, mattress_top + 0.14),
+            edge=0.26,
+            flat=True,
         )
         build.body.append(turned(pillow, 1, 9.0, (x[0] + 0.4, mid, mattress_top + 0.01)))
     area = ((fold + 0.17, throw[0] - 0.01 if blanket else x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05))
@@ -234,7 +235,9 @@ def hospital_bed(spec: Spec) -> Build:
         WHITE_COTTON, (-x / 2 + 0.1, joint), (-y / 2 + 0.08, y / 2 - 0.08), (top - 0.14, top - 0.02), radius=0.03
     )
     build.body.append(turned(back, 1, 14.0, (joint, 0.0, top - 0.14)))
-    pillow = pad(WHITE_COTTON, (-x / 2 + 0.13, -x / 2 + 0.48), around(0, 0.55), (top - 0.01, top + 0.1), edge=0.4)
+    pillow = pad(
+        WHITE_COTTON, (-x / 2 + 0.13, -x / 2 + 0.48), around(0, 0.55), (top - 0.04, top + 0.1), edge=0.3, flat=True
+    )
     build.body.append(turned(pillow, 1, 14.0, (joint, 0.0, top - 0.14)))
     blanket = spec.main(Finish((0.55, 0.68, 0.70), "fabric"))
     build.body.append(

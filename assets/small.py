@@ -31,6 +31,7 @@ from thinkblox.assets.shapes import (
 )
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Surface
+from thinkblox.value import Vec3
 
 
 def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
@@ -119,11 +120,30 @@ def pillow(spec: Spec) -> Build:
 
 
 def blanket(spec: Spec) -> Build:
-    """Return a folded blanket."""
+    """Return a soft blanket folded in three, its folds to the front, with a band of another tone along its hem."""
     x, y, z = spec.size
     cloth, layer = spec.main(spec.style.accent), z / 3
-    folds = [((-x / 2, x / 2 - 0.004 * k), (k * layer, (k + 1) * layer)) for k in range(3)]
-    return Build(body=[cushion(cloth, across, (-y / 2, y / 2), up, radius=0.45 * layer) for across, up in folds])
+    hem, band = Finish(_paler(cloth), cloth.material), around(0.28 * y, 0.1 * y)
+    body: list[Part] = []
+    for k in range(3):
+        back, top = (-0.5 + 0.03 * k) * x, (k + 1) * layer
+        body.append(
+            cushion(
+                cloth,
+                (back, (0.5 - 0.012 * k) * x),
+                around(0, (1 - 0.02 * k) * y),
+                (k * layer, top),
+                radius=0.49 * layer,
+            )
+        )
+    rest = 0.5 * layer
+    body.append(cushion(hem, (-0.444 * x, 0.478 * x), band, (2 * layer, z + 0.002), radius=0.98 * rest))
+    return Build(body=body)
+
+
+def _paler(finish: Finish) -> Vec3:
+    r, g, b = (1 - 0.5 * (1 - c) for c in finish.colour)
+    return (r, g, b)
 
 
 def photo_frame(spec: Spec) -> Build:

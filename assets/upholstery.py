@@ -62,8 +62,8 @@ def _seating(spec: Spec, x: Range, y: Range, z: float, places: int, cover: Finis
         build.body.append(turned(back, 1, -8.0, (x[0] + 0.2, 0.0, seat)))
     build.body += _sofa_feet(spec, x, y)
     if places > 1:
-        build.body += _throw_pillows(spec, x[0] + 0.32, inner, seat)
-    build.surfaces = [top_surface("seat", (x[0] + 0.36, x[1] - 0.04), (inner[0] + 0.03, inner[1] - 0.03), seat)]
+        build.body += _throw_pillows(spec, x[0] + 0.38, inner, seat)
+    build.surfaces = [top_surface("seat", (x[0] + 0.38, x[1] - 0.04), (inner[0] + 0.03, inner[1] - 0.03), seat)]
     return build
 
 

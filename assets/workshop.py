@@ -1,5 +1,7 @@
 """Tools, machines and containers of workshops, stores and sites."""
 
+from math import cos, pi, sin
+
 from thinkblox.assets.palette import (
     BLACK_PLASTIC,
     BRIGHT,
@@ -11,7 +13,7 @@ from thinkblox.assets.palette import (
     STEEL,
 )
 from thinkblox.assets.part import Build, Finish, Part
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, leg, prism, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, leg, prism, rod, sphere, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tubes import tube
 
@@ -289,18 +291,37 @@ def anvil(spec: Spec) -> Build:
 
 
 def drill_press(spec: Spec) -> Build:
-    """Return a pillar drill with its table, its chuck to the front."""
+    """Return a pillar drill: its head with the belt's cover and the motor, its chuck over a table with a vice."""
     x, y, z = spec.size
     paint = spec.main(Finish((0.30, 0.46, 0.42), "metal"))
+    spindle, level = 0.16 * x, 0.5 * z
     body: list[Part] = [
-        box(IRON, (-x / 2, 0.4 * x), (-y / 2, y / 2), (0, 0.05 * z)),
-        disc(STEEL, (-0.24 * x, 0), 0.06 * x, (0.05 * z, 0.9 * z)),
-        box(IRON, (-0.3 * x, 0.34 * x), around(0, 0.86 * y), (0.42 * z, 0.46 * z)),
-        cushion(paint, (-x / 2, 0.36 * x), around(0, 0.72 * y), (0.76 * z, z), radius=0.03 * z),
-        disc(STEEL, (0.14 * x, 0), 0.07 * x, (0.64 * z, 0.76 * z)),
-        disc(STEEL, (0.14 * x, 0), 0.015 * x, (0.54 * z, 0.64 * z)),
-        rod(IRON, (0.3 * x, 0.36 * y, 0.82 * z), (x / 2, 0.46 * y, 0.66 * z), 0.012),
+        box(IRON, (-x / 2, 0.42 * x), around(0, 0.84 * y), (0, 0.035 * z)),
+        disc(STEEL, (-0.24 * x, 0), 0.07 * x, (0.03 * z, 0.92 * z)),
+        disc(IRON, (-0.24 * x, 0), 0.12 * x, (0.03 * z, 0.08 * z)),
+        disc(IRON, (-0.24 * x, 0), 0.11 * x, (level - 0.08 * z, level - 0.01 * z)),
+        box(IRON, (-0.26 * x, 0.4 * x), around(0, 0.74 * y), (level - 0.02 * z, level)),
+        *(
+            box(GREY_METAL, around(spindle + s * 0.1 * x, 0.06 * x), around(0, 0.24 * y), (level, level + 0.035 * z))
+            for s in (-1, 1)
+        ),
+        cushion(paint, (-0.36 * x, 0.34 * x), around(0, 0.44 * y), (0.72 * z, 0.88 * z), radius=0.02 * z),
+        cushion(paint, (-0.46 * x, 0.42 * x), around(0, 0.5 * y), (0.9 * z, z), radius=0.03 * z),
+        box(IRON, (-0.3 * x, 0.28 * x), around(0, 0.36 * y), (0.87 * z, 0.91 * z)),
+        cylinder(IRON, around(-0.39 * x, 0.22 * x), around(0, 0.22 * x), (0.7 * z, 0.88 * z)),
+        disc(STEEL, (spindle, 0), 0.07 * x, (0.66 * z, 0.73 * z)),
+        frustum(IRON, (spindle, 0), (0.615 * z, 0.665 * z), 0.03 * x, 0.055 * x),
+        disc(STEEL, (spindle, 0), 0.014 * x, (0.56 * z, 0.62 * z)),
     ]
+    hub = (spindle - 0.04 * x, 0.3 * y, 0.78 * z)
+    body.append(rod(STEEL, (hub[0], 0.2 * y, hub[2]), (hub[0], 0.34 * y, hub[2]), 0.035 * x))
+    for k in range(3):
+        turn = pi / 2 + 2 * pi * k / 3
+        end = (hub[0] + 0.3 * x * cos(turn), y / 2 - 0.03, hub[2] + 0.3 * x * sin(turn))
+        body += [rod(STEEL, hub, end, 0.01), sphere(IRON, end, 0.026)]
+    body.append(
+        box(Finish((0.74, 0.2, 0.16), "plastic"), (0.33 * x, 0.36 * x), around(0, 0.1 * y), around(0.8 * z, 0.04 * z))
+    )
     return Build(body=body)
 
 

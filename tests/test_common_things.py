@@ -106,3 +106,15 @@ def test_what_lies_loose_stays_where_it_was_put() -> None:
     things = [p for p in room.scene.placements if p.support == "desk_1"]
     assert {p.category for p in things} == {"apple", "banana", "screwdriver", "spoon", "soda_can"}
     assert verify(room.scene).valid
+
+
+def test_an_oven_named_alone_is_as_high_as_the_worktops_beside_it() -> None:
+    oven, unit, machine = (make_asset(name, seed=3) for name in ("oven", "base_cabinet", "dishwasher"))
+    assert oven.size[2] == unit.size[2] == machine.size[2]
+    assert min(shape.position[2] for link in oven.links[1:] for shape in link.shapes) > 0.25
+    low = make_asset("oven", seed=3, size=(0.56, 0.59, 0.6))
+    assert min(shape.position[2] for link in low.links[1:] for shape in link.shapes) < 0.25
+
+
+def test_server_racks_are_of_one_size() -> None:
+    assert {make_asset("server_rack", seed=seed).size for seed in range(5)} == {(1.0, 0.6, 2.0)}

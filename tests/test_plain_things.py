@@ -9,8 +9,12 @@ import pytest
 from tests.test_assets import extent, shapes_of
 from thinkblox.assets import CATALOGUE, GENERAL_WORDS, make_asset
 from thinkblox.assets.catalogue import phrases
+from thinkblox.assets.palette import MIRROR, PAPER, PORCELAIN
+from thinkblox.assets.part import Finish
 from thinkblox.assets.plain import SHAPES, plain_categories, plain_generator, table_lines, words_of_line
 from thinkblox.assets.plain.places import KEEPING
+from thinkblox.assets.repaint import share
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.errors import InputError
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
@@ -172,3 +176,29 @@ def test_a_solid_or_finish_that_there_is_not_is_refused() -> None:
         plain_generator("ball", "puce")
     with pytest.raises(InputError, match="no material 'jam'; there are wood"):
         plain_generator("ball", "red.jam")
+
+
+@pytest.mark.parametrize(
+    ("name", "finish"),
+    [
+        ("styling station", MIRROR),
+        ("changing cubicle", MIRROR),
+        ("shampoo basin", PORCELAIN),
+        ("grandfather clock", PORCELAIN),
+        ("examination table", PAPER),
+        ("hymn board", PAPER),
+    ],
+)
+def test_things_show_what_they_are_known_by(name: str, finish: Finish) -> None:
+    links = make_asset(stand_in(name).category.name, seed=0).links
+    assert share(links, lambda shape: shape.colour == finish.colour) > 0.01
+
+
+def test_stained_glass_has_many_colours() -> None:
+    window = make_asset("stained_glass_window", seed=0)
+    assert len({shape.colour for link in window.links for shape in link.shapes}) >= 5
+
+
+def test_a_skeleton_has_bones_whatever_it_is_called() -> None:
+    for name in ("skeleton", "model skeleton", "anatomical skeleton"):
+        assert stand_in(name).like == "skeleton"

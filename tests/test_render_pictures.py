@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from msgspec import structs
 
+from thinkblox.assets.palette import MIRROR
 from thinkblox.scene.asset import Asset, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
@@ -29,6 +30,8 @@ from thinkblox.sim.render.curtains import curtain_ends
 from thinkblox.sim.render.foreground import in_the_way
 from thinkblox.sim.render.labels import Labelled, laid_out, names_of
 from thinkblox.sim.render.legend import MOST_NAMED, legend_of, numbered
+from thinkblox.sim.render.materials import SILVER
+from thinkblox.sim.render.picture import Settings, _spread_over_pixel
 from thinkblox.sim.render.plan_view import plan_labels, plan_numbers, text_size
 from thinkblox.value import Vec3
 
@@ -304,3 +307,28 @@ def test_many_small_things_of_a_kind_on_one_share_a_number() -> None:
 
 def difference(first: object, second: object) -> float:
     return float(np.abs(pixels(first) - pixels(second)).mean())
+
+
+def test_thin_lines_along_the_edges_of_a_room_are_no_dashes() -> None:
+    """The number of rays that a line meets varies little with where it crosses the pixel."""
+    places = _spread_over_pixel(Settings.edge_rays) - 0.5
+    for slope in (-0.5, 0.5):
+        across = (places[:, 1] - slope * places[:, 0]) / math.hypot(1.0, slope)
+        met = [(np.abs(across - at) < 0.15).sum() for at in np.linspace(-0.4, 0.4, 41)]
+        assert min(met) >= 1
+        assert np.std(met) < 0.3 * np.mean(met)
+
+
+def test_mirrors_show_what_is_before_them() -> None:
+    assert MIRROR.colour == SILVER
+
+    def redness(material: str) -> float:
+        glass = Shape(kind="box", size=(0.02, 1.0, 1.0), position=(-0.5, 0.0, 0.5), colour=SILVER)
+        red = Shape(
+            kind="box", size=(0.6, 0.8, 0.1), position=(0.1, 0.0, 0.05), colour=(0.8, 0.1, 0.1), material="paper"
+        )
+        links = (Link(name="body", shapes=(structs.replace(glass, material=material), red)),)
+        picture = np.asarray(render_asset(asset("mirror", (1.0, 1.0, 1.0), links=links), size=96)).astype(float)
+        return float((picture[..., 0] - picture[..., 2] > 60).sum())
+
+    assert redness("metal") > 1.2 * redness("paper")

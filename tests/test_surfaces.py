@@ -63,6 +63,9 @@ def test_floors_fit_the_type_of_room() -> None:
     assert floors("A bathroom with a toilet") <= {"tiles", "stone", "checker", "terrazzo", "marble"}
     assert floors("A clinic with a desk") <= {"linoleum", "terrazzo", "tiles"}
     assert "carpet" in floors("A bedroom with a bed")
+    assert floors("A server room with two server racks") <= {"tiles", "rubber", "linoleum"}
+    assert floors("A greenhouse with a potting bench") <= {"stone", "concrete", "brick", "tiles"}
+    assert floors("A victorian greenhouse with a potting bench") <= {"stone", "concrete", "brick", "tiles"}
     assert all(surfaces("A bathroom with a toilet", seed).dado is not None for seed in range(4))
 
 
@@ -144,6 +147,28 @@ def test_every_laying_keeps_about_its_colour_near_and_far(laying: str, floor: bo
         assert np.isfinite(found).all()
         assert found.min() >= 0.0
         assert np.abs(found.mean(0) - (0.319, 0.214, 0.133)).max() < 0.09
+
+
+def _tones(laying: str, width: float) -> np.ndarray:
+    """Brightness on a grid of points 5 mm apart, 2.4 m square."""
+    side = np.arange(480, dtype=np.float32) * np.float32(0.005)
+    x, y = (axis.ravel() for axis in np.meshgrid(side, side))
+    covering = Covering(laying=laying, colour=(0.6, 0.58, 0.55))  # type: ignore[arg-type]
+    found = colours(covering, x, y, np.full_like(x, width), floor=True).mean(1)
+    return np.asarray(found.reshape(480, 480) / found.mean())
+
+
+@pytest.mark.parametrize("laying", ["carpet", "linoleum"])
+def test_soft_floors_have_a_grain_and_no_clouds(laying: str) -> None:
+    tones = _tones(laying, 0.008)
+    patches = tones.reshape(8, 60, 8, 60).mean((1, 3))
+    assert patches.std() < 0.25 * tones.std()
+    assert tones.std() > 0.015
+
+
+def test_terrazzo_lies_still_from_afar() -> None:
+    assert _tones("terrazzo", 0.002).std() > 0.05
+    assert _tones("terrazzo", 0.02).std() < 0.025
 
 
 def test_walls_and_floor_are_seen_in_their_colours() -> None:

@@ -19,6 +19,7 @@ Laying = Literal[
     "linoleum",  # mottled sheet
     "rubber",  # flecked mats
     "carpet",  # cut pile
+    "carpet_tiles",  # squares of ribbed carpet, turned by turns
     "brick",  # brickwork in bond
     "paint",  # smooth plaster
     "stripes",  # wallpaper with upright stripes

@@ -14,7 +14,7 @@ from pathlib import Path
 from thinkblox.assets.category import Category, Generator
 from thinkblox.assets.facts import Role
 from thinkblox.assets.part import Build
-from thinkblox.assets.plain import pieces, solids
+from thinkblox.assets.plain import devices, fixtures, pieces, solids, stands
 from thinkblox.assets.plain.finishes import finish_called
 from thinkblox.assets.plain.places import KEEPING, Front
 from thinkblox.errors import InputError
@@ -22,7 +22,7 @@ from thinkblox.errors import InputError
 Solid = Callable[..., Build]
 SHAPES: Mapping[str, Solid] = {
     solid.__name__: solid
-    for module in (solids, pieces)
+    for module in (solids, pieces, fixtures, devices, stands)
     for solid in vars(module).values()
     if callable(solid) and getattr(solid, "__module__", "") == module.__name__ and not solid.__name__.startswith("_")
 }

@@ -107,7 +107,7 @@ def _evenly_lit(tracer: Tracer, camera: Camera, points: Surfels, size: int) -> N
     sky = np.broadcast_to(np.float32(0.45) + np.float32(0.3) * up + np.float32(0.2) * head, points.normal.shape)
     sun = np.maximum(points.normal @ light.sun, np.float32(0))[:, None] * light.sun_colour * np.float32(0.5)
     wide = 2 * camera.reach / size
-    shader = Shader(tracer.triangles, light, 0.0 if camera.perspective else wide)
+    shader = Shader(tracer, light, 0.0 if camera.perspective else wide)
     behind = np.broadcast_to(np.array(linear(GROUND), np.float32), points.normal.shape)
     colour = shader.colours(points, Irradiance(sky, sun), behind, wide if camera.perspective else 0.0)
     return np.asarray(np.rint(tone_mapped(colour) * 255), np.uint8)

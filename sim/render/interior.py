@@ -269,7 +269,7 @@ def _add_panels(frame: _WallFrame, opening: Opening) -> None:
     """Two raised fields on the door's leaf."""
     start, end = opening.offset + 0.13, opening.offset + opening.width - 0.13
     for bottom, top in ((0.20, 0.88), (1.10, opening.height - 0.15)):
-        frame.box((start, end), (-0.03, -0.022), (bottom, top), frame.surfaces.door, "trim", 0.004)
+        frame.box((start, end), (-0.05, -0.022), (bottom, top), frame.surfaces.door, "trim", 0.004)
 
 
 def _add_skirting(frame: _WallFrame, wall: Wall, openings: list[Opening]) -> None:

@@ -13,7 +13,7 @@ from thinkblox.layings import Laying
 from thinkblox.scene.surfaces import Covering
 from thinkblox.sim.render.materials import Reflectance, linear
 from thinkblox.sim.render.tessellate import Floats
-from thinkblox.sim.render.textures import fade, hashed, joint, noise, planks, wood
+from thinkblox.sim.render.textures import fade, hashed, joint, noise, planks, speckle, wood
 
 Tone = tuple[Floats, Floats]
 Painter = Callable[[Floats, Floats, Floats], Tone]
@@ -51,9 +51,20 @@ def colours(covering: Covering, along: Floats, across: Floats, width: Floats, *,
 def mean_colour(covering: Covering) -> tuple[float, float, float]:
     """Linear RGB of the whole of a covering."""
     base, second = np.array(linear(covering.colour)), _second(covering)
-    share = {"checker": 0.5, "stripes": 0.5, "flowers": 0.15, "motifs": 0.15, "brick": 0.12, "terrazzo": 0.15}
-    mixed = base + (second - base) * share.get(covering.laying, 0.02)
+    mixed = base + (second - base) * _SECOND.get(covering.laying, 0.02)
     return (float(mixed[0]), float(mixed[1]), float(mixed[2]))
+
+
+_SECOND: dict[Laying, float] = {
+    "checker": 0.5,
+    "stripes": 0.5,
+    "flowers": 0.15,
+    "motifs": 0.15,
+    "brick": 0.12,
+    "terrazzo": 0.1,
+    "carpet": 0.12,
+}
+"""The share of the second colour in what has much of it."""
 
 
 def _second(covering: Covering) -> Floats:
@@ -174,7 +185,8 @@ def _marble(size: float) -> Painter:
 
 
 def _terrazzo(x: Floats, y: Floats, width: Floats) -> Tone:
-    tone, share = np.ones_like(x), np.zeros_like(x)
+    """Chips; a pixel wider than they are shows the mean of them, so that the floor lies still."""
+    light, share = np.zeros_like(x), np.zeros_like(x)
     for cell, salt in ((0.055, 0.0), (0.034, 500.0)):
         i, j = np.floor(x / np.float32(cell)), np.floor(y / np.float32(cell))
         key = i * 57 + j * 131 + np.float32(salt)
@@ -183,10 +195,14 @@ def _terrazzo(x: Floats, y: Floats, width: Floats) -> Tone:
         radius = np.float32(0.12) + np.float32(0.2) * hashed(key + 13)
         edge = np.maximum(width / np.float32(cell), np.float32(0.05))
         chip = np.clip((radius - np.hypot(away_x, away_y * np.float32(1.3))) / edge + np.float32(0.5), 0, 1)
-        dark = hashed(key + 29) < 0.55
-        share = np.maximum(share, chip * dark)
-        tone = tone * (1 + np.float32(0.16) * chip * ~dark)
-    return tone, share * np.float32(0.75)
+        dark, seen = hashed(key + 29) < 0.55, fade(width, 0.3 * cell)
+        share = np.maximum(share, (chip * dark - _DARK_CHIPS) * seen + _DARK_CHIPS)
+        light = np.maximum(light, (chip * ~dark - _LIGHT_CHIPS) * seen + _LIGHT_CHIPS)
+    return 1 + np.float32(0.14) * light, share * np.float32(0.6)
+
+
+_DARK_CHIPS, _LIGHT_CHIPS = np.float32(0.09), np.float32(0.07)
+"""Shares of the floor that chips of either kind cover."""
 
 
 def _concrete(x: Floats, y: Floats, width: Floats) -> Tone:
@@ -196,9 +212,10 @@ def _concrete(x: Floats, y: Floats, width: Floats) -> Tone:
 
 
 def _linoleum(x: Floats, y: Floats, width: Floats) -> Tone:
-    mottle = noise(x * 24 + noise(x * 6, y * 6) * 2, y * 24)
-    _, _, _, gaps = _grid(x, y, width, (2.0, 60.0), 0.003)
-    return 1 + np.float32(0.035) * mottle, gaps * np.float32(0.3)
+    """Sheets two metres wide with a welded seam, mottled in short streaks along them."""
+    fine, broad = speckle(x / np.float32(3), y, width, 0.006), speckle(x / np.float32(2), y, width, 0.018)
+    _, _, _, gaps = _grid(x, y, width, (60.0, 2.0), 0.006)
+    return 1 + np.float32(0.03) * fine + np.float32(0.022) * broad, gaps * np.float32(0.6)
 
 
 def _rubber(x: Floats, y: Floats, width: Floats) -> Tone:
@@ -209,8 +226,21 @@ def _rubber(x: Floats, y: Floats, width: Floats) -> Tone:
 
 
 def _carpet(x: Floats, y: Floats, width: Floats) -> Tone:
-    pile = noise(x * 260, y * 260) * fade(width, 0.012)
-    return 1 + np.float32(0.07) * pile + np.float32(0.035) * noise(x * 8, y * 8), _none(x)
+    """Cut pile of yarn in two tones."""
+    pile = speckle(x, y, width, 0.0035)
+    tufts = speckle(x, y, width, 0.013)
+    return 1 + np.float32(0.09) * pile + np.float32(0.04) * tufts, _none(x) + np.float32(0.12)
+
+
+def _carpet_tiles(x: Floats, y: Floats, width: Floats) -> Tone:
+    """Squares of ribbed loops, turned by turns: they take the light by which way they lie."""
+    column, row, key, gaps = _grid(x, y, width, (0.5, 0.5), 0.002)
+    turned = np.mod(column + row, 2) < 1
+    over = np.where(turned, x, y)
+    ribs = np.sin(over * np.float32(2 * np.pi / 0.012)) * fade(width, 0.006)
+    tone = np.where(turned, np.float32(1.03), np.float32(0.97)) + np.float32(0.03) * (hashed(key) - np.float32(0.5))
+    tone += np.float32(0.05) * ribs + np.float32(0.05) * speckle(x, y, width, 0.0035)
+    return tone + np.float32(0.022) * speckle(x, y, width, 0.013), gaps * np.float32(0.5)
 
 
 def _brick(x: Floats, y: Floats, width: Floats) -> Tone:
@@ -265,11 +295,12 @@ MAKES: dict[Laying, Make] = {
     "checker": Make(_checker(0.4), _checker(0.2), _GLAZED, -0.85),
     "stone": Make(_slabs((0.8, 0.5)), _slabs((0.5, 0.26)), _HONED, -0.35),
     "marble": Make(_marble(0.9), _marble(0.9), Reflectance(mirror=0.045, gloss=90.0), -0.3),
-    "terrazzo": Make(_terrazzo, _terrazzo, _HONED, -0.55),
+    "terrazzo": Make(_terrazzo, _terrazzo, _HONED, -0.45),
     "concrete": Make(_concrete, _concrete, Reflectance(mirror=0.02, gloss=18.0), -0.4),
     "linoleum": Make(_linoleum, _linoleum, _HONED, -0.3),
     "rubber": Make(_rubber, _rubber, Reflectance(mirror=0.012, gloss=12.0), 0.5),
-    "carpet": Make(_carpet, _carpet, Reflectance(sheen=0.12)),
+    "carpet": Make(_carpet, _carpet, Reflectance(sheen=0.12), -0.2),
+    "carpet_tiles": Make(_carpet_tiles, _carpet_tiles, Reflectance(sheen=0.06), -0.4),
     "brick": Make(_brick, _brick, _DULL, 0.55),
     "paint": Make(_paint, _paint, _DULL),
     "stripes": Make(_stripes, _stripes, _DULL, -0.15),

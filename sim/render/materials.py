@@ -54,6 +54,8 @@ FINISHES: dict[str, Reflectance] = {
     "ground": Reflectance(),
 }
 
+SILVER: Colour = (0.80, 0.85, 0.88)
+"""The colour of metal in which one sees oneself."""
 CUT: Colour = (0.80, 0.775, 0.735)
 GROUND: Colour = (0.875, 0.855, 0.825)
 

@@ -37,7 +37,7 @@ class Settings:
     exposure: float
     background: Floats
     coarse: int = 2
-    edge_rays: int = 9
+    edge_rays: int = 11
 
 
 @dataclass(frozen=True)
@@ -121,10 +121,11 @@ def paint(
     tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: Settings, *, within: Floats | None = None
 ) -> NDArray[np.uint8]:
     """An sRGB picture (size, size, 3); only the part that points (n, 3) of the room fill, the rest empty, if given."""
-    shader = Shader(tracer.triangles, lights, _pixel(camera, size))
+    bounce = bounce_table(tracer, lights)
+    shader = Shader(tracer, lights, _pixel(camera, size), bounce)
     filled = tracer.triangles.vertices if within is None else within
     window = _window(filled, camera, size, 4 * settings.coarse)
-    job = _Job(tracer, camera, size, window, lights, settings, bounce_table(tracer, lights), shader)
+    job = _Job(tracer, camera, size, window, lights, settings, bounce, shader)
     middle = np.arange(size, dtype=np.float32) + np.float32(0.5)
     down, across = (middle[part] for part in window.part)
     points = see(tracer, camera, np.tile(across, window.height), np.repeat(down, window.width), size)
@@ -284,10 +285,11 @@ def _seen_and_spacing(job: _Job, points: Surfels) -> tuple[Floats, Floats]:
 def _spread_over_pixel(count: int) -> Floats:
     """Places (count, 2) in and a little around a unit square, one in each row and column of a grid.
 
-    They reach past the pixel, so that a line thinner than it does not turn into dashes.
+    They reach past the pixel, so that a line thinner than it does not turn into dashes; and no few of them lie in line
+    along the edges of a room that is seen over its corner, two pixels across for one down.
     """
     i = np.arange(count)
-    places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.42), 1) % count + 0.5) / count], 1)
+    places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.2), 1) % count + 0.5) / count], 1)
     return (np.float32(1.5) * (places - 0.5) + 0.5).astype(np.float32)
 
 

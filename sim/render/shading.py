@@ -3,23 +3,29 @@
 import numpy as np
 
 from thinkblox.sim.render.layings import colours as laid_colours
-from thinkblox.sim.render.lighting import Irradiance, Lights
-from thinkblox.sim.render.materials import MATERIALS
-from thinkblox.sim.render.soup import SoupTriangles
+from thinkblox.sim.render.lighting import SKY_STEPS, Irradiance, Lights
+from thinkblox.sim.render.materials import MATERIALS, SILVER, linear
+from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats, Ints
 from thinkblox.sim.render.textures import weave, wood
 from thinkblox.sim.render.vectors import dot, largest
 
+_SILVERED = np.float32(0.8)
+"""How much of what is before it a mirror shows."""
 _SHADE = np.array([1.0, 0.86, 0.62], np.float32)
 """The colour of a lamp's light as it comes through its shade, linear RGB."""
 
 
 class Shader:
-    """The patches of a scene as tables, ready to colour points."""
+    """The patches of a scene as tables, ready to colour points.
 
-    def __init__(self, triangles: SoupTriangles, lights: Lights, pixel: float) -> None:
-        patches = triangles.patches
+    Mirrors show what is before them where the light that faces send back is given, as `bounce_table` has it.
+    """
+
+    def __init__(self, tracer: Tracer, lights: Lights, pixel: float, bounce: Floats | None = None) -> None:
+        patches = tracer.triangles.patches
+        self._tracer, self._bounce = tracer, bounce
         self._patches = patches
         self._lights = lights
         self._pixel = np.float32(pixel)
@@ -38,6 +44,8 @@ class Shader:
         numbers = {plane: number + 1 for number, plane in enumerate(self._planes)}
         self._plane_of = np.array([0 if p.plane is None else numbers[p.plane] for p in patches], np.int64)
         self._density = np.array([p.density for p in patches], np.float32)
+        silver = (linear(SILVER), MATERIALS.index("metal"))
+        self._silvered = np.array([bounce is not None and (p.colour, p.material) == silver for p in patches], bool)
         self._textured = np.array([p.texture is not None for p in patches], bool)
 
     def colours(self, points: Surfels, light: Irradiance, background: Floats, spread: float) -> Floats:
@@ -83,7 +91,18 @@ class Shader:
             turned = cosine.take(shiny)
             bent = points.view.take(shiny, 0) + (2 * turned)[:, None] * points.normal.take(shiny, 0)
             colour[shiny] += self._shine(bent, light[shiny], patch.take(shiny), base.take(shiny, 0), turned)
+        mirrors = np.flatnonzero(self._silvered.take(patch))
+        if len(mirrors) and self._bounce is not None:
+            colour[mirrors] = self._mirrored(self._bounce, points[mirrors], colour[mirrors])
         return np.asarray(colour, np.float32)
+
+    def _mirrored(self, bounce: Floats, points: Surfels, own: Floats) -> Floats:
+        """What mirrors show: what stands before them in its mean colours, and the sky where nothing does."""
+        bent = points.view - (2 * dot(points.view, points.facing))[:, None] * points.facing
+        hits = self._tracer.solid(points.position + points.facing * np.float32(1e-3), bent)
+        sky = (bent[:, 2] * np.float32(SKY_STEPS / 2 - 0.5) + np.float32(SKY_STEPS / 2)).astype(np.intp)
+        seen = bounce.take(np.where(hits.face < 0, sky, hits.face + np.intp(SKY_STEPS)), 0)
+        return np.asarray(seen * _SILVERED + own * (1 - _SILVERED), np.float32)
 
     def _shine(self, bent: Floats, light: Irradiance, patch: Ints, base: Floats, cosine: Floats) -> Floats:
         mirror, gloss = self._finish["mirror"].take(patch), self._finish["gloss"].take(patch)

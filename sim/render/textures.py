@@ -23,16 +23,36 @@ def _noise() -> Floats:
 
 
 @lru_cache(maxsize=1)
+def _even_noise() -> Floats:
+    """The same without the larger scales: bumps two or three cells wide, and no clouds of them."""
+    rng = np.random.default_rng(7)
+    wave = np.hypot(*np.meshgrid(np.fft.fftfreq(_SIZE), np.fft.fftfreq(_SIZE))) * _SIZE
+    field = np.fft.ifft2(np.fft.fft2(rng.normal(size=(_SIZE, _SIZE))) * np.exp(-(((wave - 70) / 26) ** 2))).real
+    return np.asarray(field / field.std(), np.float32)
+
+
+@lru_cache(maxsize=1)
 def _dice() -> Floats:
     return np.random.default_rng(5).random(4096).astype(np.float32)
 
 
 def noise(x: Floats, y: Floats) -> Floats:
     """Smooth noise, mean 0 and deviation 1, at coordinates in cells of its grid, which repeats every 256."""
+    return _looked_up(_noise(), x, y)
+
+
+def speckle(x: Floats, y: Floats, footprint: Floats, cell: float) -> Floats:
+    """Even noise with bumps about two cells wide [m], mean 0 and deviation 1, gone where a pixel is wider than they."""
+    size = np.float32(cell)
+    return _looked_up(_even_noise(), x / size, y / size) * fade(footprint, 2.5 * cell)
+
+
+def _looked_up(square: Floats, x: Floats, y: Floats) -> Floats:
+    """What a seamless square of noise says at coordinates in its cells."""
     x0, y0 = np.floor(x), np.floor(y)
     fx, fy = x - x0, y - y0
     i, j = x0.astype(np.int64) & (_SIZE - 1), y0.astype(np.int64) & (_SIZE - 1)
-    field = _noise().ravel()
+    field = square.ravel()
     i1, j1 = (i + 1) & (_SIZE - 1), ((j + 1) & (_SIZE - 1)) * _SIZE
     j = j * _SIZE
     low = field.take(j + i) * (1 - fx) + field.take(j + i1) * fx
