@@ -1,7 +1,7 @@
 """Desks: a top with knee room, a set of drawers or none, and their relatives for schools, shops and dressing."""
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
-from thinkblox.assets.palette import GREY_METAL, IRON, MIRROR, WHITE_PAINT
+from thinkblox.assets.palette import BLACK_PLASTIC, GREY_METAL, IRON, MIRROR, WHITE_PAINT
 from thinkblox.assets.part import Build, Finish, Part, Range, half_turned
 from thinkblox.assets.shapes import around, box, leg, panel, rod, top_surface
 from thinkblox.assets.spec import Spec
@@ -11,6 +11,8 @@ def desk(spec: Spec) -> Build:
     """Return a desk: drawers on its right for a broad one, else four legs and a shallow drawer box."""
     if spec.has("l-shaped", "corner"):
         return corner_desk(spec)
+    if spec.has("height-adjustable"):
+        return height_adjustable_desk(spec)
     x, y, z = spec.size
     build = _topped(spec, spec.wood)
     if y >= 1.15 and not spec.has("simple", "small", "open"):
@@ -20,6 +22,26 @@ def desk(spec: Spec) -> Build:
         build.body += _legs(spec, spec.wood, (1, -1))
     rails = (-y / 2 + 0.4 if build.moving else -y / 2 + 0.09, y / 2 - 0.09)
     build.body.append(box(spec.wood, (-x / 2 + 0.05, -x / 2 + 0.07), rails, (z - 0.088, z - 0.028)))
+    return build
+
+
+def height_adjustable_desk(spec: Spec) -> Build:
+    """Return a desk on two columns that are drawn out of each other, on feet, with a switch under its edge."""
+    x, y, z = spec.size
+    build, metal = _topped(spec, spec.wood), spec.style.metal
+    foot, middle = 0.03, 0.5 * z
+    for side in (-1, 1):
+        at = side * (y / 2 - 0.18)
+        build.body += [
+            box(metal, (-x / 2 + 0.04, x / 2 - 0.04), around(at, 0.07), (0, foot)),
+            box(metal, around(0, 0.08), around(at, 0.06), (foot, middle)),
+            box(metal, around(0, 0.06), around(at, 0.045), (middle, z - 0.06)),
+            box(metal, (-x / 2 + 0.08, x / 2 - 0.08), around(at, 0.05), (z - 0.06, z - 0.028)),
+        ]
+    beam = (-y / 2 + 0.155, y / 2 - 0.155)
+    build.body.append(box(metal, around(0, 0.05), beam, (z - 0.058, z - 0.03)))
+    switch = (-y / 2 + 0.12, -y / 2 + 0.24)
+    build.body.append(box(BLACK_PLASTIC, (x / 2 - 0.06, x / 2 - 0.01), switch, (z - 0.046, z - 0.028)))
     return build
 
 

@@ -55,6 +55,14 @@ air_conditioner = housing(
     (_LAMP, (0.36, 0.42), (0.3, 0.34)),
     rounded=0.28,
 )
+cooling_unit = housing(
+    WHITE_METAL,
+    *((GREY_METAL, (-0.44, 0.44), (0.08 + 0.035 * k, 0.1 + 0.035 * k)) for k in range(10)),
+    *((GREY_METAL, (-0.44, 0.44), (0.78 + 0.035 * k, 0.8 + 0.035 * k)) for k in range(5)),
+    (SCREEN, (-0.12, 0.12), (0.56, 0.66)),
+    (_LAMP, (0.18, 0.21), (0.62, 0.64)),
+    rounded=0.02,
+)
 control_cabinet = housing(
     GREY_METAL,
     (SCREEN, (-0.3, 0.12), (0.7, 0.86)),

@@ -55,6 +55,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "served_over": "somebody stands or sits behind it and serves those before it",
         "in_line": "three and more of it stand in line, with their backs to a wall",
         "sat_before": "needs floor before it for those who sit or stand there",
+        "unlike": "no two of it are the same",
         # What the expert speaks of.
         "seating": "people sit on it",
         "treated_on": "who is treated sits or lies on it",

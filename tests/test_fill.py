@@ -12,13 +12,17 @@ from thinkblox.assets.stand_ins import stand_in
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.furnishing import Furnished, Progress
+from thinkblox.judging import asset_for
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import read_usual
 from thinkblox.placing import Effort
+from thinkblox.plan import Target
+from thinkblox.planning import varied
 from thinkblox.planning.dressing import Dresser
 from thinkblox.reading import read_brief
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle
+from thinkblox.scene.scene import Scene
 
 PROMPT = "A bathroom with a red towel rail"
 
@@ -214,3 +218,56 @@ def test_a_few_words_are_taken_for_what_they_mean_in_such_a_room(prompt, room, h
         counts[request.category] += request.count
     assert brief.room_type == room
     assert {name: counts[name] for name in held} == held
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seed", "there", "absent"),
+    [
+        ("A chemistry laboratory with two lab benches", 21, {"sink", "fume_hood", "eyewash_station"}, {"skeleton"}),
+        ("A doctor's examination room", 23, {"washbasin", "cabinet", "medical_screen", "keyboard"}, set()),
+        ("A little cafe with a counter and six tables", 25, {"cash_register", "pastry_case", "menu_board"}, set()),
+        ("An open plan office for six people", 19, {"keyboard"}, set()),
+        ("A small server room with two rows of racks", 24, {"cooling_unit"}, {"picture", "plant"}),
+        ("A Victorian greenhouse with a potting bench", 34, {"potted_plant"}, {"grandfather_clock", "picture"}),
+        ("A pet shop", 31, {"rabbit_hutch", "aquarium", "bird_cage"}, set()),
+    ],
+)
+def test_a_room_has_what_it_is_used_with(prompt: str, seed: int, there: set[str], absent: set[str]) -> None:
+    found = {request.category for request in varied(read_brief(prompt), seed).requests}
+    assert there <= found
+    assert not absent & {name.removeprefix("model_") for name in found}
+
+
+def test_some_things_are_needed_however_much_is_named() -> None:
+    said = "A kitchen with an island, three stools, a fridge, an oven, a dishwasher and a sink along one wall"
+    found = {request.category for request in varied(read_brief(said), 0).requests}
+    assert {"hob", "base_cabinet"} <= found
+    assert "hob" not in {r.category for r in varied(read_brief(said, fill="named"), 0, "named").requests}
+    piano = read_brief("A music room with a drum kit, a guitar, an amplifier, a rug and a grand piano")
+    assert any(request.category == "piano_bench" for request in piano.requests)
+
+
+def test_few_lie_on_what_one_works_at_or_drinks_coffee_from() -> None:
+    known = dressing()
+    assert 0 < known.most_on("coffee_table", "living_room") < known.most_on("desk", "office")
+    assert 0 < known.most_on("workbench", "workshop") < 10
+    assert known.most_on("shelving_unit", "workshop") == 0
+    assert "fish_food" in {usual.category for usual in known.on("shelving_unit", "pet_shop")}
+
+
+def test_no_curtains_are_added_to_those_of_the_room() -> None:
+    room = generate_room("A dining room for four", fill="named")
+    dresser = Dresser(room.plan, np.random.default_rng(0))
+    assert room.scene.surfaces.curtains is not None
+    assert "curtain" not in {target.category for target in dresser.furniture(room.scene)}
+
+
+def test_no_two_pictures_are_the_same() -> None:
+    scene = Scene(room=rectangle(4.0, 3.0))
+    ids = ("picture_1", "picture_2", "book_row_1", "book_row_2", "chair_1", "chair_2")
+    targets = [Target(id=id, category=id[:-2], request=id[:-2]) for id in ids]
+    first, second, row, other, chair, same = (asset_for(target, scene) for target in targets)
+    assert first.id != second.id
+    assert first.size == second.size
+    assert row.id != other.id
+    assert chair == same

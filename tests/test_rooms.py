@@ -5,7 +5,7 @@ import pytest
 from tests.briefs import counted
 from thinkblox import generate_room
 from thinkblox.knowledge.rooms import kinds_of_room
-from thinkblox.planning import varied
+from thinkblox.planning import plan_room, varied
 from thinkblox.reading import read_brief
 
 
@@ -89,3 +89,38 @@ def test_what_a_shop_shows_is_there_with_every_seed(prompt: str, sold: str) -> N
         laid = [r.subject for r in brief.relations if r.kind == "on" and r.anchors[0] in tables]
         assert bool(laid) == bool(tables)
     assert sold in counted(read_brief(prompt))
+
+
+def test_a_church_is_entered_across_from_its_altar_and_has_tall_windows() -> None:
+    brief = read_brief("A village church")
+    room = plan_room(brief, rng=1)
+    door, *windows = room.openings
+    lengths = [wall.length for wall in room.walls]
+    assert lengths[door.wall] == min(lengths)
+    assert abs(door.offset + door.width / 2.0 - lengths[door.wall] / 2.0) < 0.01
+    assert len(windows) == 4
+    assert all(w.height > 2.0 * w.width and lengths[w.wall] == max(lengths) for w in windows)
+
+
+def test_a_small_room_is_hardly_larger_than_it_must_be() -> None:
+    brief = read_brief("A small bathroom with a bathtub")
+    areas = [plan_room(brief, rng=seed).polygon.area for seed in range(6)]
+    assert max(areas) < 1.2 * min(areas)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A server room with racks and cooling units", "cooling_unit", 2),
+        ("A music room with a piano and three microphones on stands", "microphone_stand", 3),
+        ("A music room with a drum kit. Acoustic panels cover the walls.", "acoustic_panel", 8),
+        ("A meeting room with a table for ten", "office_chair", 10),
+    ],
+)
+def test_words_of_a_room_are_the_things_they_mean(prompt: str, category: str, count: int) -> None:
+    assert counted(read_brief(prompt))[category] == count
+
+
+def test_a_standing_desk_is_height_adjustable() -> None:
+    desk = read_brief("A home office with a standing desk").requests[0]
+    assert (desk.category, desk.attributes) == ("desk", ("height-adjustable",))

@@ -211,12 +211,23 @@ def policy_failed(error: Exception) -> Try:
 def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -> Asset:
     """The asset for a target; one seed for a whole scene, so that its furniture is of one style.
 
+    What no two of are the same, as pictures, has a seed for each, and the size of the first.
+
     Raises:
         InputError: the source cannot make such a thing.
     """
     source = source or ProceduralAssets()
     asset = source.make(target.category, seed=style_seed(scene), attributes=target.attributes)
+    if _is_another(target) and source.facts(target.category).is_in("unlike"):
+        own = crc32(f"{scene.seed}/{scene.prompt}/{target.id}".encode())
+        asset = source.make(target.category, seed=own, attributes=target.attributes, size=asset.size)
     return _sized(asset.called(target.called) if target.called else asset, target.size, source, slack=0.0)
+
+
+def _is_another(target: Target) -> bool:
+    """Whether there are others of its kind before it, by its number."""
+    number = target.id.rpartition("_")[2]
+    return number.isdigit() and int(number) > 1
 
 
 def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:

@@ -57,7 +57,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
 
     Attributes:
         id: "<category>_<n>", the id its placement will have.
-        request: key of its request; all targets of a request share one asset.
+        request: key of its request; all targets of a request share one asset, but where no two of it are the same.
         index, count: which of how many of its request.
         ties: its relations, the one that decides where it goes first.
         denied: relations that it must not have.

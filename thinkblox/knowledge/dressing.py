@@ -18,11 +18,13 @@ class Tops(Value, frozen=True, kw_only=True):
     Attributes:
         on: the categories that carry it, separated by commas.
         rooms: the types of room where it is so, or wider ones, separated by commas; empty for all.
+        most: how many things lie on one of them at most; 0 for as many as have room.
         things: up to how many of what: "<count> <category>".
     """
 
     on: str
     rooms: str = ""
+    most: int = 0
     things: tuple[str, ...]
 
     def fits(self, category: str, kinds: frozenset[str]) -> bool:
@@ -54,8 +56,19 @@ class Dressing(Value, frozen=True, kw_only=True):
 
     def on(self, category: str, room: str) -> tuple[Usual, ...]:
         """What is put on a thing in a type of room; nothing on most things."""
+        tops = self._tops(category, room)
+        return read_usual(tops.things) if tops is not None else ()
+
+    def most_on(self, category: str, room: str) -> int:
+        """How many things lie on one such thing at most in a type of room; 0 for as many as have room."""
+        tops = self._tops(category, room)
+        return tops.most if tops is not None else 0
+
+    def _tops(self, category: str, room: str) -> Tops | None:
+        """The first entry that fits the very type of room, or else a wider one."""
+        own = (tops for tops in self.tops if tops.rooms and tops.fits(category, frozenset((room,))))
         kinds = kinds_of_room(room)
-        return read_usual(next((tops.things for tops in self.tops if tops.fits(category, kinds)), ()))
+        return next(own, None) or next((tops for tops in self.tops if tops.fits(category, kinds)), None)
 
 
 @lru_cache(maxsize=1)

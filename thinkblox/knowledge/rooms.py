@@ -28,6 +28,21 @@ class Usual:
     relations: tuple[tuple[str, str, bool], ...]
 
 
+class Panes(Value, frozen=True, kw_only=True):
+    """The windows of a type of room.
+
+    Attributes:
+        width, sill: of each [m].
+        top: how far it ends below the ceiling [m].
+        count: how many there are where the prompt does not say.
+    """
+
+    width: Positive
+    sill: Positive
+    top: Positive = 0.4
+    count: Annotated[int, Meta(ge=1, le=12)] = 2
+
+
 class RoomType(Value, frozen=True, kw_only=True):
     """A typical room.
 
@@ -36,6 +51,7 @@ class RoomType(Value, frozen=True, kw_only=True):
         height: [m].
         contents: what it usually holds, what it is for first: "<count> <category> : <relation> <anchor> [each], ...".
         essentials: what everybody expects there, also where the prompt names other things; in the same form.
+        besides: what everybody expects there, too, though it is not what the room is for; in the same form.
         instead: what takes less floor and does as well where a thing of the contents finds none.
         seats_at: the table that people sit around there; empty where they do not meet around one.
         place: what each of its people has one of; empty where nobody has a place of their own.
@@ -44,12 +60,15 @@ class RoomType(Value, frozen=True, kw_only=True):
         public: people eat, meet or read together: a large table suits it.
         like: a wider type that it is one of; words mean in it what they mean there.
         windowless: it has no window unless the prompt asks for one.
+        panes: its windows, where they are unlike those of houses.
+        entered_at_end: its door is in the middle of a short wall.
     """
 
     area: Positive
     height: Positive = 2.6
     contents: tuple[str, ...]
     essentials: tuple[str, ...] = ()
+    besides: tuple[str, ...] = ()
     instead: dict[str, str] = {}
     seats_at: str = ""
     place: str = ""
@@ -58,6 +77,8 @@ class RoomType(Value, frozen=True, kw_only=True):
     public: bool = False
     like: str = ""
     windowless: bool = False
+    panes: Panes | None = None
+    entered_at_end: bool = False
 
     @property
     def usual(self) -> tuple[Usual, ...]:
@@ -66,8 +87,13 @@ class RoomType(Value, frozen=True, kw_only=True):
 
     @property
     def expected(self) -> tuple[Usual, ...]:
-        """Its essentials, read."""
-        return read_usual(self.essentials)
+        """Its essentials and what is there besides, read."""
+        return read_usual((*self.essentials, *self.besides))
+
+    @property
+    def core(self) -> frozenset[str]:
+        """The categories of its essentials: what it is for."""
+        return frozenset(usual.category for usual in read_usual(self.essentials))
 
 
 UNKNOWN_ROOM = "room"

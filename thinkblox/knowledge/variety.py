@@ -1,6 +1,7 @@
 """What rooms of a type may hold besides what all of them do, and what they have one or another of."""
 
 import tomllib
+from collections.abc import Collection
 from functools import lru_cache
 from pathlib import Path
 
@@ -22,15 +23,23 @@ class RoomNeed(Value, frozen=True, kw_only=True):
     Attributes:
         one_of: the forms, in the notation of `RoomChoices.may`.
         unless: categories, and groups of them after an "@", that will do as well, separated by commas.
+        given: categories without which it is not needed, separated by commas; empty where it always is.
+        always: it is needed however much a prompt names.
     """
 
     one_of: tuple[str, ...]
     unless: str = ""
+    given: str = ""
+    always: bool = False
 
     @property
     def options(self) -> tuple[Option, ...]:
         """The forms, read."""
         return tuple(_option(line) for line in self.one_of)
+
+    def arises(self, categories: Collection[str]) -> bool:
+        """Whether a room with these things needs it, if it is not there."""
+        return not self.given or not set(self.given.split(", ")).isdisjoint(categories)
 
     def is_met_by(self, category: str) -> bool:
         """Whether a room with such a thing lacks nothing of it."""

@@ -10,11 +10,12 @@ from msgspec.structs import replace
 from thinkblox.assets import CATALOGUE, facts_of, kind_of
 from thinkblox.assets.category import Category
 from thinkblox.assets.stand_ins import stand_in
-from thinkblox.brief import RelationKind, Request
+from thinkblox.brief import Measures, RelationKind, Request
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import Usual, read_usual
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.plan import Plan, Target, Tie
+from thinkblox.planning.sizes import OPEN
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
@@ -25,12 +26,16 @@ _FULL, _PACKED = 0.35, 0.6
 """Share of a top that things may cover, as people still use it, and of a shelf."""
 _PASSES = 3
 """How often the things for a shelf are gone through, while it has room."""
-_FEW, _TIMES = 2, 2
-"""Of what lies about by ones or twos a room has at most so many times as many: no four alarm clocks."""
+_FEW = 2
+"""Of what lies about by ones or twos a room has no more, but for each of those who sit there: no two alarm clocks."""
 _MANY = 6
 """What there are so many of on a thing is what it is for, and comes first: books on a bookcase."""
 _REACH, _REACHED_SHELF = 1.6, 1.9
 """Nothing lies on an open top, or on a shelf on a wall, that is higher [m]."""
+_SET_FOR = 3
+"""What is laid by so many on a table is laid for each who sits at it."""
+_DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
+"""Relations of seats to their table."""
 _GAP = 0.03
 """Left about a thing on a surface [m]."""
 Stage = Literal["furniture", "things", "spare"]
@@ -62,8 +67,10 @@ class Dresser:
                 return self.things(scene, full)
 
     def furniture(self, scene: Scene) -> tuple[Target, ...]:
-        """What else stands on the floor and hangs on the walls, largest first."""
+        """What else stands on the floor and hangs on the walls, largest first; a room with curtains gets no others."""
         usuals = self._table.furniture(self.plan.brief.room_type)
+        if scene.surfaces.curtains is not None:
+            usuals = tuple(u for u in usuals if facts_of(u.category).hanging.windows == "no")
         return self._more(scene, [(usual, self._lacking(scene, usual)) for usual in usuals])
 
     def spare(self, scene: Scene) -> tuple[Target, ...]:
@@ -82,7 +89,7 @@ class Dresser:
         for usual, count in wanted:
             ties = self._ties(scene, usual)
             if ties is not None and count > 0 and self._is_welcome(usual.category):
-                targets += self._added(usual.category, count, ties)
+                targets += self._added(usual.category, count, ties, _size_of_others(scene, usual.category))
         targets.sort(key=_rank)
         return self._planned(targets)
 
@@ -109,6 +116,8 @@ class Dresser:
         surfaces = _serving(scene, carrier)
         resting = scene.resting_on(carrier.id)
         free = sum(_share(s) * s.size[0] * s.size[1] for s in surfaces) - sum(p.size[0] * p.size[1] for p in resting)
+        most = (self._table.most_on(carrier.category, self.plan.brief.room_type) or MOST) - len(resting)
+        seats = self._seats_at(carrier)
         passes = _PASSES if any(s.headroom is not None for s in surfaces) else 1
         order = [place for _ in range(passes) for place in self._rng.permutation(len(things))]
         first = [place for place in order[: len(things)] if things[place].count >= _MANY]
@@ -117,19 +126,30 @@ class Dresser:
             kind = kind_of(usual.category)
             if not self._is_welcome(usual.category) or not any(_has_room(s, kind) for s in surfaces):
                 continue
-            if any(are_alike(p.category, usual.category) for p in resting) or self._is_plenty(scene, usual):
+            if any(are_alike(p.category, usual.category) for p in resting) or self._is_plenty(scene, usual, carrier):
                 continue
             cover = (kind.size[0] + _GAP) * (kind.size[1] + _GAP)
-            count = min(int(self._rng.integers((usual.count + 1) // 2, usual.count + 1)), int(free / cover))
+            wanted = int(self._rng.integers((usual.count + 1) // 2, usual.count + 1))
+            if seats and facts_of(usual.category).setting is not None and usual.count >= _SET_FOR:
+                wanted = seats
+            count = min(wanted, int(free / cover), most)
             if count > 0:
                 free -= count * cover
+                most -= count
                 self._laid_out[usual.category] += count
                 yield self._added(usual.category, count, (Tie(kind="on", anchors=(carrier.id,), asked=False),))
 
-    def _is_plenty(self, scene: Scene, usual: Usual) -> bool:
-        """Whether the room has as many of a thing as anybody would have lying about."""
+    def _seats_at(self, carrier: Placement) -> int:
+        """How many seats are drawn up to a table."""
+        ties = (tie for target in self.plan.targets for tie in target.ties if tie.kind in _DRAWN_UP)
+        return sum(carrier.id in tie.anchors for tie in ties)
+
+    def _is_plenty(self, scene: Scene, usual: Usual, carrier: Placement) -> bool:
+        """Whether the room has as many of a thing as anybody would have lying about; desks and tables each have it."""
         there = self._laid_out[usual.category] or self._there(scene, usual.category)
-        return usual.count <= _FEW and there >= _TIMES * usual.count
+        own = facts_of(carrier.category).is_in("worked_at", "meal_tables", "desks", "counters")
+        places = sum(p.category == carrier.category for p in scene.placements) if own else 1
+        return usual.count <= _FEW and there >= places * usual.count
 
     def _ties(self, scene: Scene, usual: Usual) -> tuple[Tie, ...] | None:
         """How it is to stand; None where what it belongs to is not there."""
@@ -157,7 +177,7 @@ class Dresser:
     def _is_welcome(self, category: str) -> bool:
         return not any(counts_as(category, name) or are_alike(category, name) for name in self.plan.brief.excluded)
 
-    def _added(self, category: str, count: int, ties: tuple[Tie, ...]) -> list[Target]:
+    def _added(self, category: str, count: int, ties: tuple[Tie, ...], size: Measures = OPEN) -> list[Target]:
         """Targets of one kind, each of a colour of its own where such things come in several."""
         start = self._numbers.get(category, 0)
         self._numbers[category] = start + count
@@ -169,6 +189,7 @@ class Dresser:
                 request=f"{category}_{start + index + 1}",
                 asked=False,
                 attributes=self._colour(category),
+                size=size,
                 ties=tuple(replace(tie, index=index) for tie in counted),
             )
             for index in range(count)
@@ -188,6 +209,13 @@ class Dresser:
         brief = replace(self.plan.brief, requests=(*self.plan.brief.requests, *requests))
         self.plan = replace(self.plan, brief=brief, targets=(*self.plan.targets, *targets))
         return tuple(targets)
+
+
+def _size_of_others(scene: Scene, category: str) -> Measures:
+    """The size of what it is to match: shelves that stand there already."""
+    if not facts_of(category).is_in("shelves"):
+        return OPEN
+    return next((p.size for p in scene.placements if p.category == category), OPEN)
 
 
 def _windows(scene: Scene) -> int:

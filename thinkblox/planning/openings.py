@@ -9,7 +9,7 @@ import numpy as np
 
 from thinkblox.assets import kind_of
 from thinkblox.brief import Brief
-from thinkblox.knowledge.rooms import room_type
+from thinkblox.knowledge.rooms import RoomType, room_type
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
 from thinkblox.scene.room import Opening, Room, Wall
 
@@ -44,7 +44,12 @@ _VARIED, _ASIDE = 1.06, 0.12
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
     planner = _Openings(
-        room, rng, spared=_spared(brief, room), corner=_corner_distance(brief), beside=_beside_windows(brief)
+        room,
+        rng,
+        kind=room_type(brief.room_type),
+        spared=_spared(brief, room),
+        corner=_corner_distance(brief),
+        beside=_beside_windows(brief),
     )
     for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
@@ -107,6 +112,7 @@ class _Wanted:
 
 def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]:
     """The openings to be, doors first."""
+    type_ = room_type(brief.room_type)
     asked = {kind: [r for r in brief.openings if r.kind == kind] for kind in ("door", "window")}
     wanted = [
         _Wanted(kind, r.wall, n, r.count if r.wall else 1)
@@ -115,14 +121,25 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
         for n in range(r.count)
     ]
     if not any(opening.kind == "door" for opening in wanted):
-        wanted.insert(0, _Wanted("door", "near_wall" if speaks_of_sides(brief) else ""))
+        end = "short_wall" if type_.entered_at_end else ""
+        wanted.insert(0, _Wanted("door", "near_wall" if speaks_of_sides(brief) else end))
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
-        usual = not room_type(brief.room_type).windowless
+        usual, panes = not type_.windowless, type_.panes
         twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
-        count = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
-        wanted += [_Wanted("window")] * (count if usual else int(named))
+        count = panes.count if panes else 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
+        if usual and type_.entered_at_end:
+            wanted += _along_sides(room, count)
+        else:
+            wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted
+
+
+def _along_sides(room: Room, count: int) -> list[_Wanted]:
+    """So many windows, shared out over the long walls, at equal distances in each."""
+    sides = [room.walls[i].name for i in _by_length(room, "long_wall")]
+    shares = {name: -(-(count - at) // len(sides)) for at, name in enumerate(sides)}
+    return [_Wanted("window", name, index, share) for name, share in shares.items() for index in range(share)]
 
 
 def _spared(brief: Brief, room: Room) -> frozenset[int]:
@@ -156,8 +173,16 @@ class _Openings:
     """Takes openings one at a time and finds each a free stretch of wall."""
 
     def __init__(
-        self, room: Room, rng: np.random.Generator, *, spared: frozenset[int], corner: float, beside: float
+        self,
+        room: Room,
+        rng: np.random.Generator,
+        *,
+        kind: RoomType,
+        spared: frozenset[int],
+        corner: float,
+        beside: float,
     ) -> None:
+        self.kind = kind
         self.room = room
         self.rng = rng
         self.spared = spared
@@ -209,8 +234,7 @@ class _Openings:
                 hinge=hinge,
                 opens="out" if closet else "in",
             )
-        sill = min(_SILL, top - 0.5)
-        height = min(_WINDOW_HEIGHT * max(1.0, self.room.height / _USUAL_HEIGHT), top - sill)
+        sill, height = self._upright(top)
         return Opening(
             id=f"window_{number}",
             kind="window",
@@ -221,6 +245,14 @@ class _Openings:
             sill=sill,
         )
 
+    def _upright(self, top: float) -> tuple[float, float]:
+        """Sill and height of a window that ends below `top` [m]."""
+        panes = self.kind.panes
+        sill = min(panes.sill if panes else _SILL, top - 0.5)
+        if panes:
+            return sill, max(0.5, min(self.room.height - panes.top, top) - sill)
+        return sill, min(_WINDOW_HEIGHT * max(1.0, self.room.height / _USUAL_HEIGHT), top - sill)
+
     def _is_closet(self) -> bool:
         """Whether a door that opened inwards would take most of the floor."""
         sides = np.ptp(np.array(self.room.floor), axis=0)
@@ -228,6 +260,8 @@ class _Openings:
 
     def _window_width(self, space: float) -> float:
         """A third to a half of a wall, but neither a slit nor a shop front."""
+        if self.kind.panes is not None:
+            return round(max(_LEAST_WINDOW, min(self.kind.panes.width, 0.7 * space)), 2)
         usual = float(self.rng.uniform(0.33, 0.5)) * space
         return round(max(0.4, min(max(usual, _NARROWEST), _WIDEST, 0.5 * space)), 2)
 
@@ -245,6 +279,9 @@ class _Openings:
             if wanted.count == 1 and self.beside:
                 middle = max(middle, self.beside + width / 2.0)
             return round(min(max(middle - width / 2.0, start), end - width), 3)
+        if self.kind.entered_at_end:
+            start, end = max(gaps, key=lambda gap: gap[1] - gap[0])
+            return round((start + end - width) / 2.0, 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
         usual = corners[int(self.rng.integers(2))]
         apart = {offset: self._from_doors(index, offset + width / 2) for offset in corners}

@@ -19,6 +19,8 @@ _PROPORTIONS = {"hallway": (0.4, 0.45)}
 _USUAL_PROPORTION = (0.55, 1.0)
 _SPREAD, _HALLS = 1.5, 1.2
 """By how much a room whose size is left open may be larger than it needs to be, and one that is a hall anyway."""
+_CLOSE = 1.1
+"""By how much one that is said to be small may."""
 _SMALL, _LARGE = 20.0, 40.0
 """Floors of rooms that vary most, and from which they vary as halls do [m2]."""
 _LEAST_SIDE = 1.8
@@ -60,7 +62,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.width is not None and brief.depth is not None:
         return brief.width, brief.depth
     least = needed_area(brief) * _scale(brief)
-    area = brief.area if brief.area is not None else least * rng.uniform(1.0, _spread(least))
+    spread = _spread(least) if _CLOSE_ROOMS.isdisjoint(brief.style) else _CLOSE
+    area = brief.area if brief.area is not None else least * rng.uniform(1.0, spread)
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1

@@ -20,6 +20,8 @@ _WALL_SHARE = 0.6
 """Share of the walls that furniture can stand against; the rest is door, window and corners."""
 _WAYS = 1.3
 """Floor for the ways between the pieces, as a factor on what the pieces and their use take."""
+_RANKS = 6
+"""So many desks in rows have their ways between them."""
 _TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
@@ -54,7 +56,14 @@ def needed_area(brief: Brief) -> float:
 
 def furniture_area(brief: Brief) -> float:
     """Floor that the furniture of a brief takes with the space to use it, and the ways between [m2]."""
-    return _DOOR_AREA + _WAYS * sum(r.count * _own_area(brief, r) for r in brief.requests) + _before_board(brief)
+    areas = (r.count * _own_area(brief, r) * (1.0 if _in_ranks(brief, r) else _WAYS) for r in brief.requests)
+    return _DOOR_AREA + sum(areas) + _before_board(brief)
+
+
+def _in_ranks(brief: Brief, request: Request) -> bool:
+    """Whether it is a desk of several that stand in rows: the ways between these are counted with each."""
+    rows = any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations)
+    return rows and request.count >= _RANKS and load_habits().is_in(request.category, "lined_up")
 
 
 def _before_board(brief: Brief) -> float:

@@ -54,9 +54,11 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
         fill: what the room is filled with; shelves of a lived-in one are left for the books that will be put there.
     """
     bare = _is_bare(brief)
+    rng = np.random.default_rng((seed, _SALT))
+    if not brief.empty and not (bare or _is_sketched(brief)) and fill != "named":
+        return _complete(brief, rng, fill, always=True)
     if brief.empty or not (bare or _is_sketched(brief)):
         return brief
-    rng = np.random.default_rng((seed, _SALT))
     gone: set[str] = set()
     if bare:
         brief, gone = _lessened(brief, rng)
@@ -73,11 +75,12 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     return brief
 
 
-def _complete(brief: Brief, rng: np.random.Generator, fill: Fill) -> Brief:
-    """The brief with what a room of its type has in one form or another."""
+def _complete(brief: Brief, rng: np.random.Generator, fill: Fill, *, always: bool = False) -> Brief:
+    """The brief with what a room of its type has in one form or another, or only what it `always` has."""
     choices = varieties().of(brief.room_type)
     for need in choices.needs if choices is not None else ():
-        if any(need.is_met_by(request.category) for request in brief.requests):
+        there = [request.category for request in brief.requests]
+        if (always and not need.always) or not need.arises(there) or any(map(need.is_met_by, there)):
             continue
         forms = [_with(brief, found, fill) for option in need.options if (found := _wanted(brief, option, ()))]
         forms = [form for form in forms if _has_room(brief, form, _CLOSE)]
@@ -99,8 +102,8 @@ def _is_sketched(brief: Brief) -> bool:
         return False
     keys = {request.key for request in asked}
     arranged = any(r.asked and r.kind not in _DRAWN_UP and not keys.isdisjoint(r.anchors) for r in brief.relations)
-    essentials = [usual.category for usual in room_type(brief.room_type).expected]
-    return not (arranged and any(are_alike(e, request.category) for e in essentials for request in asked))
+    core = room_type(brief.room_type).core
+    return not (arranged and any(are_alike(name, request.category) for name in core for request in asked))
 
 
 def _is_sparse(brief: Brief) -> bool:

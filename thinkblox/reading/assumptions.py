@@ -19,6 +19,8 @@ from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
+_AMID = ("centre", "floor")
+"""Places where an island may stand."""
 _FURNISH = "furnished"
 _SELLS = "shop"
 """The type of room of which only its goods tell more."""
@@ -287,8 +289,8 @@ def _is_sketched(draft: Draft) -> bool:
         return False
     told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
     arranged = any(isinstance(a, Mention) for b in told for a in b.anchors)
-    essentials = [usual.category for usual in room_type(draft.room).expected]
-    return not (arranged and any(are_alike(e, thing.noun) for e in essentials for thing in draft.things))
+    core = room_type(draft.room).core
+    return not (arranged and any(are_alike(name, thing.noun) for name in core for thing in draft.things))
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
@@ -593,7 +595,8 @@ def _is_chair(thing: Mention) -> bool:
 
 
 def _chairs(draft: Draft, table: Mention, count: int) -> None:
-    seat = _add(draft, "chair", count)
+    usual = usual_seat(table.noun) if load_habits().is_in(table.noun, "meal_tables") else None
+    seat = _add(draft, usual.category if usual is not None else "chair", count)
     draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))
 
 
@@ -681,7 +684,8 @@ def _share_cabinet(draft: Draft, cabinet: Mention) -> None:
 def _has_place(draft: Draft, thing: Mention) -> bool:
     """Whether it is asked to be by a part of the room, and so not where an island stands."""
     asked = (b for b in draft.bonds_of(thing) if b.asked and not b.negated)
-    return any(anchor in ("window", "door", "corner") for bond in asked for anchor in bond.anchors)
+    places = (anchor for bond in asked for anchor in bond.anchors if isinstance(anchor, str))
+    return any(place not in _AMID for place in places)
 
 
 def _lies_somewhere(draft: Draft, thing: Mention) -> bool:

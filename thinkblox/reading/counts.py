@@ -10,6 +10,9 @@ MAX_OF_A_KIND = 200
 MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as beyond it."""
 _CORNERS = _WALLS = 4
+_COVERS = ("cover", "covers", "covering")
+_COVERING = 2
+"""So many on each wall cover it."""
 _PER_ROW, _ROWS = 3, 2
 _PAIR = 2
 _SET_OUT = ("around", "at", "at_long_side", "at_short_side", "facing")
@@ -77,7 +80,8 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         one_each.each = True
         thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Mention))
     elif thing.count is None:
-        thing.count = _one_before_each(draft, thing) or max(_bare(thing, bonds), _usual(draft, thing))
+        most = max(_bare(thing, bonds), _usual(draft, thing), _covering(draft, thing))
+        thing.count = _one_before_each(draft, thing) or most
     _carriers(draft, thing)
 
 
@@ -137,6 +141,17 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
     if rows is not None:
         return max(rows, _ROWS) * (abreast or _PER_ROW)
     return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
+
+
+def _covering(draft: Draft, thing: Mention) -> int:
+    """As many of a bare plural as cover the walls: "acoustic panels cover the walls" has some on each."""
+    words = thing.text.lower().split()
+    if not (words and thing.plural and load_habits().is_in(thing.noun, "wallpieces")):
+        return 0
+    said = [word.text.lower() for word in draft.account]
+    after = (said[at + 1 : at + 5] for at, word in enumerate(said) if word == words[-1])
+    covers = any(rest and rest[0] in _COVERS and "walls" in rest for rest in after)
+    return _COVERING * _WALLS if covers else 0
 
 
 def _usual(draft: Draft, thing: Mention) -> int:
