@@ -305,7 +305,27 @@ def test_benches_at_which_people_sit_stand_in_rows_and_look_at_the_board() -> No
     plan = plan_of("A biology classroom with lab tables for 24 pupils")
     assert ties_of(plan, "lab_table_12") == [("in_rows",), ("facing", "whiteboard_1")]
     assert sum(target.category == "stool" for target in plan.targets) == 24
-    assert ties_of(plan_of("A workshop with four workbenches"), "workbench_4")[0] != ("in_rows",)
+    assert ("against_wall", "wall") in ties_of(plan_of("A workshop with four workbenches"), "workbench_4")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "id"),
+    [
+        ("A nursery for twins with two cribs", "crib_2"),
+        ("A restroom with three washbasins and three toilet cubicles", "toilet_cubicle_3"),
+        ("A rehearsal room with two guitar amps", "guitar_amp_2"),
+        ("A clothes shop with two fitting rooms", "changing_cubicle_2"),
+        ("A hair salon with four styling stations", "styling_station_4"),
+        ("An open plan office for six people", "desk_6"),
+        ("A chemistry laboratory with two lab benches", "lab_bench_2"),
+    ],
+)
+def test_alike_things_stand_together(prompt: str, id: str) -> None:
+    assert ties_of(plan_of(prompt), id)[0] == ("in_rows",)
+
+
+def test_two_that_are_asked_to_look_at_each_other_stand_in_no_row() -> None:
+    assert ("in_rows",) not in ties_of(plan_of("A small office with two desks facing each other"), "desk_2")
 
 
 def test_two_beds_stand_in_line() -> None:

@@ -20,8 +20,8 @@ _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
 _VISITORS = 3
 """So many are received at once across a desk."""
-_MANY_DESKS, _MANY_SEATS = 10, 12
-"""From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
+_MANY_DESKS, _MANY_SEATS, _MANY_ISLANDS = 4, 12, 2
+"""From so many on desks, chairs at no table, and islands stand amid the room rather than along the walls."""
 _MANY_BENCHES = 4
 """From so many on benches at which people sit stand in rows."""
 _LINE, _BED_LINE = 2, 2
@@ -31,6 +31,8 @@ _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 _BESIDE = ("left_of", "right_of", "between")
 """Relations of things that stand where an anchor in a corner may leave no room."""
 _CLOSE = ("next_to", "left_of", "right_of")
+_APART = ("seating", "lounges", "plants", "lamps", "in_corners", "stands_free", "visits", "attended", "beds")
+"""Groups of things of which several do not stand side by side at a wall, or do so by other rules."""
 
 
 def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
@@ -47,6 +49,9 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
             waiting = _in_rows(waiting)
         if whole and _is_lined_up(waiting):
             waiting = _in_rows(waiting)
+        placeless = whole and not any(member.ties for member in waiting)
+        if placeless and _is_set(waiting) and len(waiting) < _crowd(members, request[0]):
+            waiting = _side_by_side(waiting)
         for habit in _habits_of(members, request[0]):
             if habit.kind == "against_wall" and len(waiting) >= _crowd(members, request[0]):
                 waiting = _in_rows(waiting)
@@ -67,8 +72,9 @@ def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
 
 
 def _leave_walls(request: list[Member]) -> None:
-    """Several that stand in line need not each be told to stand against a wall."""
-    if len(request) >= _BED_LINE and load_habits().is_in(request[0].category, "in_line", "beds"):
+    """Several that stand in line, or side by side, need not each be told to stand against a wall."""
+    lined = load_habits().is_in(request[0].category, "in_line", "beds")
+    if len(request) >= _BED_LINE and (lined or (_is_set(request) and not facts_of(request[0].category).is_in("desks"))):
         for member in request:
             if all(not tie.asked and (tie.kind, tie.anchors) == ("against_wall", ("wall",)) for tie in member.ties):
                 member.ties.clear()
@@ -82,13 +88,32 @@ def _is_lined_up(waiting: list[Member]) -> bool:
     return len(waiting) >= (_BED_LINE if habits.is_in(first.category, "beds") else _LINE)
 
 
+def _is_set(waiting: list[Member]) -> bool:
+    """Whether they are alike things that belong to a wall, and so beside each other; not those that have runs."""
+    if len(waiting) < _LINE or waiting[0].mount != "floor" or waiting[0].flat:
+        return False
+    facts = facts_of(waiting[0].category)
+    habits = [habit for habit in facts.habits if " if " not in habit]
+    return habits[:1] == ["against_wall wall"] and not facts.run and not facts.is_in(*_APART, "in_line")
+
+
+def _side_by_side(waiting: list[Member]) -> list[Member]:
+    """In one row at a wall, or else at the walls."""
+    for index, member in enumerate(waiting):
+        member.ties.append(Tie(kind="in_rows", index=index, count=len(waiting), rows=1, asked=False))
+        member.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
+    return []
+
+
 def _crowd(members: Members, first: Member) -> int:
     """From how many on alike things stand in rows rather than along the walls."""
     habits, category = load_habits(), first.category
+    if habits.is_in(category, "islands"):
+        return _MANY_ISLANDS
     seated = any(tie.kind == "at" and first.id in tie.anchors for other in members.all for tie in other.ties)
     if habits.is_in(category, "long_sides") and facts_of(category).gaze == "back" and seated:
         return _MANY_BENCHES
-    if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
+    if habits.is_in(category, "in_blocks"):
         return _MANY_DESKS
     return _MANY_SEATS if habits.is_in(category, "chairs") else _UNLIMITED
 

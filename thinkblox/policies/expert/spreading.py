@@ -32,7 +32,9 @@ def spread_out(situation: Situation, tie: Tie, ideas: Iterable[Idea]) -> Iterato
 def _parts(situation: Situation, tie: Tie) -> list[Landmark]:
     if tie.kind == "in_corner":
         return list(corners(situation.room, tie.anchors))
-    openings = [part for place in tie.anchors for part in parts_called(situation.scene, place) if part.kind == "opening"]
+    openings = [
+        part for place in tie.anchors for part in parts_called(situation.scene, place) if part.kind == "opening"
+    ]
     if openings:
         return openings
     names = [wall.name for place in tie.anchors for wall in walls(situation.room, place)]
