@@ -22,6 +22,8 @@ _VISITORS = 3
 """So many are received at once across a desk."""
 _MANY_DESKS, _MANY_SEATS, _MANY_ISLANDS = 4, 12, 2
 """From so many on desks, chairs at no table, and islands stand amid the room rather than along the walls."""
+_WAITING = 4
+"""From so many on chairs at no table are those of people who wait."""
 _MANY_BENCHES = 4
 """From so many on benches at which people sit stand in rows."""
 _LINE, _BED_LINE = 2, 2
@@ -45,20 +47,28 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
         whole = len(waiting) == len(request)
-        if len(waiting) > 1 and whole and _is_sat_about(members, waiting[0]):
-            waiting = _in_rows(waiting)
-        if whole and _is_lined_up(waiting):
-            waiting = _in_rows(waiting)
-        placeless = whole and not any(member.ties for member in waiting)
-        if placeless and _is_set(waiting) and len(waiting) < _crowd(members, request[0]):
-            waiting = _side_by_side(waiting)
+        if whole:
+            waiting = _together(members, waiting)
         for habit in _habits_of(members, request[0]):
             if habit.kind == "against_wall" and len(waiting) >= _crowd(members, request[0]):
                 waiting = _in_rows(waiting)
+            if habit.kind == "against_wall" and len(waiting) >= _WAITING and _is_chair(request[0]):
+                waiting = _side_by_side(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _together(members: Members, waiting: list[Member]) -> list[Member]:
+    """Put all of a request into rows, where such things stand so; returns those that still wait for a place."""
+    if len(waiting) > 1 and _is_sat_about(members, waiting[0]):
+        return _in_rows(waiting)
+    if _is_lined_up(waiting):
+        return _in_rows(waiting)
+    if _is_set(waiting) and not any(member.ties for member in waiting) and len(waiting) < _crowd(members, waiting[0]):
+        return _side_by_side(waiting)
+    return waiting
 
 
 def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
@@ -86,6 +96,18 @@ def _is_lined_up(waiting: list[Member]) -> bool:
     if first is None or not habits.is_in(first.category, "in_line"):
         return False
     return len(waiting) >= (_BED_LINE if habits.is_in(first.category, "beds") else _LINE)
+
+
+def _is_chair(member: Member) -> bool:
+    return load_habits().is_in(member.category, "chairs")
+
+
+def _before_waiting(habit: Habit, anchors: list[Member]) -> tuple[Habit, list[Member]]:
+    """What usually is between two seats is before the middle of a row of those who wait."""
+    walled = [m for m in anchors if any(tie.kind == "against_wall" for tie in m.ties)]
+    if habit.kind != "between" or len(walled) < _WAITING:
+        return habit, anchors
+    return Habit("in_front_of", habit.anchors), walled[len(walled) // 2 :][:1]
 
 
 def _is_set(waiting: list[Member]) -> bool:
@@ -230,7 +252,7 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     for category in habit.anchors:
         anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
         anchors = [m for m in anchors if m.request is not waiting[0].request and not _is_its_own(m, waiting[0], habit)]
-        waiting = _at_anchors(members, waiting, habit, anchors)
+        waiting = _at_anchors(members, waiting, *_before_waiting(habit, anchors))
         if not waiting:
             break
     return waiting

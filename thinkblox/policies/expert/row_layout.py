@@ -18,6 +18,8 @@ WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
 WIDEST_WITH_SEATS = 2.4
 """How far tables are drawn apart to use a large floor [m]."""
+ONE_WAY = 1.2
+"""Cost of two rows that are used from the aisle between them, and look the same way."""
 BACK_TO_BACK, BETWEEN_BLOCKS = 0.02, (2.0, 1.8)
 """Free distance between desks whose backs are together, and between two blocks of them, with two seats [m]."""
 FEWEST_IN_BLOCK, LONGEST_BLOCK = 4, 4
@@ -56,8 +58,10 @@ def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
         for yaw in _directions(situation, facing, mutual=mutual):
             for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
                 dearer = replace(spacing, cost=spacing.cost + 0.4 * dear)
-                yield _layout(situation, tie.count, columns, yaw, dearer, inward=mutual, away=bool(facing))
-                if rows == 2 and not facing and situation.facts.is_in("from_aisles"):
+                aisle = rows == 2 and not facing and situation.facts.is_in("from_aisles")
+                one_way = replace(dearer, cost=dearer.cost + ONE_WAY) if aisle and not mutual else dearer
+                yield _layout(situation, tie.count, columns, yaw, one_way, inward=mutual, away=bool(facing))
+                if aisle:
                     yield _layout(situation, tie.count, columns, yaw, dearer, inward=True, away=False)
 
 
