@@ -350,3 +350,15 @@ def test_a_stool_is_as_high_as_the_top_that_it_is_drawn_up_to_asks(
 ) -> None:
     target = plan_of(prompt).target(stool)
     assert least <= (target.size[2] or kind_of(target.category).size[2]) <= most
+
+
+def test_who_waits_sits_in_a_row_with_the_magazines_before_its_middle() -> None:
+    plan = plan_of("A dentist's waiting room with ten chairs and magazines on a table")
+    assert ties_of(plan, "chair_10") == [("in_rows",), ("against_wall", "wall")]
+    assert ties_of(plan, "coffee_table_1")[0] == ("in_front_of", "chair_6")
+
+
+@pytest.mark.parametrize("desk", ["librarian's desk", "help desk", "circulation desk"])
+def test_a_desk_across_which_people_are_served_is_worked_at_from_behind(desk: str) -> None:
+    plan = plan_of(f"A public library with four bookcases and a {desk} near the door")
+    assert any(target.category == "reception_desk" for target in plan.targets)
