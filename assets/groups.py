@@ -53,6 +53,8 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "worked_at": "somebody sits at its front to work, with nobody to serve across it",
         "worked_behind": "who works at it sits behind it and looks over its front",
         "served_over": "somebody stands or sits behind it and serves those before it",
+        "in_blocks": "many stand back to back amid the room, so that those who work at them face each other",
+        "islands": "several stand in parallel amid the room",
         "in_line": "three and more of it stand in line, with their backs to a wall",
         "sat_before": "needs floor before it for those who sit or stand there",
         "unlike": "no two of it are the same",
@@ -71,6 +73,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "cases": "can stand side by side with its like without a gap",
         "drawn_aside": "is drawn aside by whoever passes",
         "from_aisles": "is used from the aisle between its rows",
+        "clear_above": "people lie, stand or play in it: no shelf hangs over it",
         "staff_side": "turns its working side to the person behind a counter",
     }
 )

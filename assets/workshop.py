@@ -108,25 +108,25 @@ def vacuum_cleaner(spec: Spec) -> Build:
 
 
 def wheelbarrow(spec: Spec) -> Build:
-    """Return a wheelbarrow, its wheel to the front."""
+    """Return a wheelbarrow, its handles to the front, where one takes hold of it."""
     x, y, z = spec.size
     steel, wheel = spec.main(Finish((0.24, 0.42, 0.30), "metal")), 0.6 * z
     low, rim = 0.5 * z, z
-    floor_ = ((-0.2 * x, 0.22 * x), 0.5 * y)
+    floor_ = ((-0.22 * x, 0.2 * x), 0.5 * y)
     body: list[Part] = [
-        cylinder(BLACK_PLASTIC, (x / 2 - wheel, x / 2), around(0, 0.12 * y), (0, wheel), axis=1),
+        cylinder(BLACK_PLASTIC, (-x / 2, wheel - x / 2), around(0, 0.12 * y), (0, wheel), axis=1),
         box(steel, floor_[0], around(0, floor_[1]), (low, low + 0.03 * z)),
     ]
     for s in (-1, 1):
         wall = [(s * 0.25 * y, low), (s * 0.27 * y, low), (s * 0.5 * y, rim), (s * 0.47 * y, rim)]
         body += [
-            prism(steel, wall, (-0.26 * x, 0.36 * x), axis=0),
-            rod(PINE, (x / 2 - wheel / 2, s * 0.1 * y, wheel / 2), (-x / 2, s * 0.34 * y, 0.48 * z), 0.02),
-            leg(IRON, (-0.24 * x, s * 0.26 * y), (-0.12 * x, s * 0.26 * y), (0, 0.5 * z), 0.035, 0.035),
+            prism(steel, wall, (-0.36 * x, 0.26 * x), axis=0),
+            rod(PINE, (wheel / 2 - x / 2, s * 0.1 * y, wheel / 2), (x / 2, s * 0.34 * y, 0.48 * z), 0.02),
+            leg(IRON, (0.24 * x, s * 0.26 * y), (0.12 * x, s * 0.26 * y), (0, 0.5 * z), 0.035, 0.035),
         ]
     ends = (
-        [(0.22 * x, low), (0.24 * x, low), (0.42 * x, rim), (0.39 * x, rim)],
-        [(-0.2 * x, low), (-0.18 * x, low), (-0.26 * x, rim), (-0.29 * x, rim)],
+        [(-0.24 * x, low), (-0.22 * x, low), (-0.39 * x, rim), (-0.42 * x, rim)],
+        [(0.18 * x, low), (0.2 * x, low), (0.29 * x, rim), (0.26 * x, rim)],
     )
     body += [prism(steel, end, around(0, 0.84 * y), axis=1) for end in ends]
     return Build(body=body)

@@ -170,6 +170,19 @@ def test_every_layout_of_rows_has_a_slot_for_each_and_none_overlap(count: int, r
         assert depth.max() <= 1e-9
 
 
+@given(st.integers(4, 16))
+def test_many_desks_stand_in_blocks_back_to_back(count: int):
+    s = situation("desk", Tie(kind="in_rows", count=count, rows=2, asked=False))
+    s = Situation(msgspec.structs.replace(s.observation, target=msgspec.structs.replace(s.target, count=count)))
+    for layout in layouts(s, s.target.ties[0], facing=(), mutual=False):
+        assert len(layout.slots) == len(layout.yaws) == count
+        assert len({round(yaw) for yaw in layout.yaws}) == 2
+        rects = Rects.of([(c, s.size[:2], yaw, 0.0, 1.0) for c, yaw in zip(layout.slots, layout.yaws, strict=True)])
+        depth = overlap_depth(rects, rects)
+        np.fill_diagonal(depth, 0.0)
+        assert depth.max() <= 1e-9
+
+
 def test_rows_of_bookcases_keep_their_aisle_and_the_table_its_way_round():
     done = room("A bookstore, 8x6 m: rows of bookcases with aisles between them and a display table in the middle.")
     table, cases = of(done, "display_table")[0], of(done, "bookcase")

@@ -305,7 +305,27 @@ def test_benches_at_which_people_sit_stand_in_rows_and_look_at_the_board() -> No
     plan = plan_of("A biology classroom with lab tables for 24 pupils")
     assert ties_of(plan, "lab_table_12") == [("in_rows",), ("facing", "whiteboard_1")]
     assert sum(target.category == "stool" for target in plan.targets) == 24
-    assert ties_of(plan_of("A workshop with four workbenches"), "workbench_4")[0] != ("in_rows",)
+    assert ("against_wall", "wall") in ties_of(plan_of("A workshop with four workbenches"), "workbench_4")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "id"),
+    [
+        ("A nursery for twins with two cribs", "crib_2"),
+        ("A restroom with three washbasins and three toilet cubicles", "toilet_cubicle_3"),
+        ("A rehearsal room with two guitar amps", "guitar_amp_2"),
+        ("A clothes shop with two fitting rooms", "changing_cubicle_2"),
+        ("A hair salon with four styling stations", "styling_station_4"),
+        ("An open plan office for six people", "desk_6"),
+        ("A chemistry laboratory with two lab benches", "lab_bench_2"),
+    ],
+)
+def test_alike_things_stand_together(prompt: str, id: str) -> None:
+    assert ties_of(plan_of(prompt), id)[0] == ("in_rows",)
+
+
+def test_two_that_are_asked_to_look_at_each_other_stand_in_no_row() -> None:
+    assert ("in_rows",) not in ties_of(plan_of("A small office with two desks facing each other"), "desk_2")
 
 
 def test_two_beds_stand_in_line() -> None:
@@ -330,3 +350,15 @@ def test_a_stool_is_as_high_as_the_top_that_it_is_drawn_up_to_asks(
 ) -> None:
     target = plan_of(prompt).target(stool)
     assert least <= (target.size[2] or kind_of(target.category).size[2]) <= most
+
+
+def test_who_waits_sits_in_a_row_with_the_magazines_before_its_middle() -> None:
+    plan = plan_of("A dentist's waiting room with ten chairs and magazines on a table")
+    assert ties_of(plan, "chair_10") == [("in_rows",), ("against_wall", "wall")]
+    assert ties_of(plan, "coffee_table_1")[0] == ("in_front_of", "chair_6")
+
+
+@pytest.mark.parametrize("desk", ["librarian's desk", "help desk", "circulation desk"])
+def test_a_desk_across_which_people_are_served_is_worked_at_from_behind(desk: str) -> None:
+    plan = plan_of(f"A public library with four bookcases and a {desk} near the door")
+    assert any(target.category == "reception_desk" for target in plan.targets)

@@ -20,8 +20,10 @@ _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
 _VISITORS = 3
 """So many are received at once across a desk."""
-_MANY_DESKS, _MANY_SEATS = 10, 12
-"""From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
+_MANY_DESKS, _MANY_SEATS, _MANY_ISLANDS = 4, 12, 2
+"""From so many on desks, chairs at no table, and islands stand amid the room rather than along the walls."""
+_WAITING = 4
+"""From so many on chairs at no table are those of people who wait."""
 _MANY_BENCHES = 4
 """From so many on benches at which people sit stand in rows."""
 _LINE, _BED_LINE = 2, 2
@@ -31,6 +33,8 @@ _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 _BESIDE = ("left_of", "right_of", "between")
 """Relations of things that stand where an anchor in a corner may leave no room."""
 _CLOSE = ("next_to", "left_of", "right_of")
+_APART = ("seating", "lounges", "plants", "lamps", "in_corners", "stands_free", "visits", "attended", "beds")
+"""Groups of things of which several do not stand side by side at a wall, or do so by other rules."""
 
 
 def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
@@ -43,17 +47,28 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
         whole = len(waiting) == len(request)
-        if len(waiting) > 1 and whole and _is_sat_about(members, waiting[0]):
-            waiting = _in_rows(waiting)
-        if whole and _is_lined_up(waiting):
-            waiting = _in_rows(waiting)
+        if whole:
+            waiting = _together(members, waiting)
         for habit in _habits_of(members, request[0]):
             if habit.kind == "against_wall" and len(waiting) >= _crowd(members, request[0]):
                 waiting = _in_rows(waiting)
+            if habit.kind == "against_wall" and len(waiting) >= _WAITING and _is_chair(request[0]):
+                waiting = _side_by_side(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _together(members: Members, waiting: list[Member]) -> list[Member]:
+    """Put all of a request into rows, where such things stand so; returns those that still wait for a place."""
+    if len(waiting) > 1 and _is_sat_about(members, waiting[0]):
+        return _in_rows(waiting)
+    if _is_lined_up(waiting):
+        return _in_rows(waiting)
+    if _is_set(waiting) and not any(member.ties for member in waiting) and len(waiting) < _crowd(members, waiting[0]):
+        return _side_by_side(waiting)
+    return waiting
 
 
 def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
@@ -67,8 +82,9 @@ def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
 
 
 def _leave_walls(request: list[Member]) -> None:
-    """Several that stand in line need not each be told to stand against a wall."""
-    if len(request) >= _BED_LINE and load_habits().is_in(request[0].category, "in_line", "beds"):
+    """Several that stand in line, or side by side, need not each be told to stand against a wall."""
+    lined = load_habits().is_in(request[0].category, "in_line", "beds")
+    if len(request) >= _BED_LINE and (lined or (_is_set(request) and not facts_of(request[0].category).is_in("desks"))):
         for member in request:
             if all(not tie.asked and (tie.kind, tie.anchors) == ("against_wall", ("wall",)) for tie in member.ties):
                 member.ties.clear()
@@ -82,13 +98,44 @@ def _is_lined_up(waiting: list[Member]) -> bool:
     return len(waiting) >= (_BED_LINE if habits.is_in(first.category, "beds") else _LINE)
 
 
+def _is_chair(member: Member) -> bool:
+    return load_habits().is_in(member.category, "chairs")
+
+
+def _before_waiting(habit: Habit, anchors: list[Member]) -> tuple[Habit, list[Member]]:
+    """What usually is between two seats is before the middle of a row of those who wait."""
+    walled = [m for m in anchors if any(tie.kind == "against_wall" for tie in m.ties)]
+    if habit.kind != "between" or len(walled) < _WAITING:
+        return habit, anchors
+    return Habit("in_front_of", habit.anchors), walled[len(walled) // 2 :][:1]
+
+
+def _is_set(waiting: list[Member]) -> bool:
+    """Whether they are alike things that belong to a wall, and so beside each other; not those that have runs."""
+    if len(waiting) < _LINE or waiting[0].mount != "floor" or waiting[0].flat:
+        return False
+    facts = facts_of(waiting[0].category)
+    habits = [habit for habit in facts.habits if " if " not in habit]
+    return habits[:1] == ["against_wall wall"] and not facts.run and not facts.is_in(*_APART, "in_line")
+
+
+def _side_by_side(waiting: list[Member]) -> list[Member]:
+    """In one row at a wall, or else at the walls."""
+    for index, member in enumerate(waiting):
+        member.ties.append(Tie(kind="in_rows", index=index, count=len(waiting), rows=1, asked=False))
+        member.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
+    return []
+
+
 def _crowd(members: Members, first: Member) -> int:
     """From how many on alike things stand in rows rather than along the walls."""
     habits, category = load_habits(), first.category
+    if habits.is_in(category, "islands"):
+        return _MANY_ISLANDS
     seated = any(tie.kind == "at" and first.id in tie.anchors for other in members.all for tie in other.ties)
     if habits.is_in(category, "long_sides") and facts_of(category).gaze == "back" and seated:
         return _MANY_BENCHES
-    if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
+    if habits.is_in(category, "in_blocks"):
         return _MANY_DESKS
     return _MANY_SEATS if habits.is_in(category, "chairs") else _UNLIMITED
 
@@ -205,7 +252,7 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     for category in habit.anchors:
         anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
         anchors = [m for m in anchors if m.request is not waiting[0].request and not _is_its_own(m, waiting[0], habit)]
-        waiting = _at_anchors(members, waiting, habit, anchors)
+        waiting = _at_anchors(members, waiting, *_before_waiting(habit, anchors))
         if not waiting:
             break
     return waiting

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from thinkblox.assets import facts_of
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
 from thinkblox.policies.expert.idea import Idea
@@ -53,6 +54,7 @@ class Place(NamedTuple):
 def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Drawn up to the working side of a desk (its front), or to any side of a table without a front."""
     sides = ("front",) if situation.scene.asset_of(anchor).front == "one" else tuple(SIDES)
+    sides = _away_from_cook(situation, anchor, sides)
     for rank, side in enumerate(sides):
         if tie.count > 1:
             places = _company_at(anchor, side, tie)
@@ -61,6 +63,15 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
             places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
         for order, place in enumerate(places):
             yield from seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
+
+
+def _away_from_cook(situation: Situation, anchor: Placement, sides: tuple[str, ...]) -> tuple[str, ...]:
+    """The sides of an island at which one sits: the long one where nobody cooks comes first."""
+    if not facts_of(anchor.category).is_in("sat_around") or not facts_of(anchor.category).is_in("worktops"):
+        return sides
+    built = [p for p in situation.solid if p.id != anchor.id and facts_of(p.category).is_in("built_in_line")]
+    before = [anchor.to_local(p.position[:2])[0] > 0.0 for p in built]
+    return ("back", "front") if before and all(before) else sides
 
 
 def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:

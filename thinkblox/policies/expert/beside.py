@@ -62,7 +62,9 @@ def _alignments(situation: Situation, anchor: Placement, side: str, size: Vec2) 
         small_round = situation.asset.front == "any" and situation.size[0] < 0.6
         back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
         from_head = 1.5 if facts_of(anchor.category).is_in("lain_on") else 0.0
-        return ((-room, 0.0 if from_head else back), (0.0, centre + from_head), (room, 0.5 + from_head))
+        usual = ((-room, 0.0 if from_head else back), (0.0, centre + from_head), (room, 0.5 + from_head))
+        behind = max((use.depth for use in situation.facts.uses if use.sides == ("back",)), default=0.0)
+        return ((behind - room, 0.2), *usual) if behind else usual
     return ((0.0, 0.0), (-room / 2, 0.4), (room / 2, 0.4), (-room, 0.7), (room, 0.7))
 
 

@@ -5,13 +5,14 @@ import numpy as np
 from thinkblox.assets import facts_of
 from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.plan import Target, Tie
-from thinkblox.policies.expert.ground import zone_costs
+from thinkblox.policies.expert.ground import TOUCH, zone_costs
 from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
 from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import VIEW_RANGE
 from thinkblox.scene.pairs import ACROSS
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
+from thinkblox.scene.support import ON_FLOOR
 from thinkblox.scene.zones import beside, fewest
 
 END_OF_RUN = 0.75
@@ -22,12 +23,16 @@ TOO_DEEP = 2.0
 """Cost of looking across the room at a wall from which what stands there is too far away."""
 DARKENS = 0.85
 """What is higher than this does not stand before a window [m]."""
-HIDES, HIDDEN = 0.5, 2.0
-"""How far before a hung thing nothing of its height stands [m], and the cost of what does."""
+HIDES, HIDDEN, NOT_WRITTEN_ON = 0.5, 2.0, 30.0
+"""How far before a hung thing nothing of its height stands [m], and the cost of what does; before a board, of that."""
+OVER_HEADS, LEANS_OUT, UNDER_LEAVES = 30.0, 0.15, 0.4
+"""Cost of a shelf over a bed or a seat, how far before it one is not to be either, and free height over a plant [m]."""
 AGAINST_LIGHT = 1.2
 """Cost of a screen before a window, against whose light one looks."""
 FACES_LIGHT = 0.8
 """Cost of a seat from which a screen will be seen against a window across the room, where there is floor to choose."""
+_HEADS = ("lain_on", "treated_on", "seating", "clear_above")
+"""Groups of things under which no shelf hangs."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
@@ -166,12 +171,30 @@ def _hidden(situation: Situation, rects: Rects) -> Array:
     """What it costs that something stands right before what hangs: a mirror behind a coat rack."""
     before = beside(rects, "front", HIDES)
     seen = Rects(before.centre, before.half, before.yaw, rects.bottom, rects.top)
-    return np.asarray(HIDDEN * (overlap_depth(seen, situation.solids) > 0.01).any(-1))
+    cost = NOT_WRITTEN_ON if situation.facts.is_in("boards") else HIDDEN
+    return np.asarray(cost * (overlap_depth(seen, situation.solids) > 0.01).any(-1))
+
+
+def _over_heads(situation: Situation, rects: Rects) -> Array:
+    """What it costs that a shelf with things on it hangs over where people lie, sit or play, or a plant grows."""
+    costs = np.zeros(len(rects))
+    if not situation.asset.surfaces:
+        return costs
+    above = {anchor for tie in situation.target.ties if tie.kind == "above" for anchor in tie.anchors}
+    under = Rects(rects.centre, rects.half + LEANS_OUT, rects.yaw, np.zeros(len(rects)), rects.bottom)
+    for p in situation.solid:
+        facts = facts_of(p.category)
+        grows = facts.is_in("plants") & (rects.bottom - p.top < UNDER_LEAVES)
+        below = facts.is_in(*_HEADS) and not facts.is_in("drawn_aside")
+        if p.id not in above and p.position[2] < ON_FLOOR:
+            there = overlap_depth(under, Rects.of_placements((p,))).max(-1, initial=0.0) > TOUCH
+            costs += OVER_HEADS * (there & (grows | below))
+    return costs
 
 
 def costs_below(situation: Situation, rects: Rects) -> Array:
     """Room on the floor below a hung thing for what is to stand under it, and that it is seen."""
-    costs = _wall_below_taken(situation, rects) + _hidden(situation, rects)
+    costs = _wall_below_taken(situation, rects) + _hidden(situation, rects) + _over_heads(situation, rects)
     for follower in situation.followers:
         if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
             depth, width, height = situation.kind(follower).size

@@ -2,11 +2,12 @@
 
 import numpy as np
 
+from thinkblox.assets import facts_of
 from thinkblox.knowledge.uses import uses
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import in_the_way
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth, separation
-from thinkblox.scene.zones import beside, fewest
+from thinkblox.scene.zones import beside, fewest, joined
 
 TOUCH = 0.001
 """Overlap that is only contact [m]."""
@@ -20,6 +21,14 @@ SEEN_OVER, IN_VIEW = 0.6, 4.0
 """Height over which one looks from a sofa [m], and cost per metre of what is higher between it and a screen."""
 HIGH, AT_WALL, BARE_BACK = 1.2, 0.06, 2.5
 """Storage that is higher than this shows its back [m], unless a wall is as near as this [m]; and the cost of that."""
+MOVED_ASIDE, KEPT_CLEAR = 4.0, 8.0
+"""Cost per metre of what stands in the floor that others need: light things, and any other."""
+STAFF, BEHIND_COUNTER, ASIDE = 4.0, 2.0, 1.2
+"""Cost of a guest's seat behind a counter, how deep that floor is, and how far past the ends of the counter [m]."""
+AT_BACKS, TALKS = 4.0, 3.5
+"""Cost of a lounge seat that looks at the back of another, and how far one looks [m]."""
+SAME_WAY = 0.7
+"""Cosine of the angle up to which two look the same way."""
 _BACKED = ("in_rows", "back_to_back", "between", "behind")
 """Relations of storage that does not stand against a wall."""
 MOVABLE = 15.0
@@ -30,11 +39,12 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     """What the floor says against each box: no room to use it, in the room others need, or in the way."""
     costs = used_costs(situation, rects)
     movable = situation.asset.mass < MOVABLE and not situation.facts.is_in("plants", "in_corners")
-    weight = 2.0 if movable else 5.0
+    weight = MOVED_ASIDE if movable else KEPT_CLEAR
     costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
     costs += in_the_way(situation, rects) + _back_in_room(situation, rects)
+    costs += _among_staff(situation, rects) + _at_their_backs(situation, rects)
     if situation.size[2] > SEEN_OVER:
         costs += IN_VIEW * overlap_depth(rects, situation.views).max(-1, initial=0.0)
     if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
@@ -65,6 +75,34 @@ def _back_in_room(situation: Situation, rects: Rects) -> Array:
         return np.zeros(len(rects))
     against = outside(beside(rects, "back", AT_WALL), situation.room.polygon) > 0.0
     return np.where(against, 0.0, BARE_BACK)
+
+
+def _among_staff(situation: Situation, rects: Rects) -> Array:
+    """What it costs that guests would sit, or have their low table, where those are who serve."""
+    if not situation.facts.is_in("seating", "low_tables"):
+        return np.zeros(len(rects))
+    own = situation.relatives
+    counters = [p for p in situation.solid if p.id not in own and facts_of(p.category).is_in("served_over")]
+    zones = [beside(Rects.of_placements((p,)), "back", BEHIND_COUNTER, width=p.size[1] + 2 * ASIDE) for p in counters]
+    return np.asarray(STAFF * (overlap_depth(rects, joined(zones)) > TOUCH).any(-1))
+
+
+def _at_their_backs(situation: Situation, rects: Rects) -> Array:
+    """What it costs that one lounge seat looks at the back of another from near by, where they form no rows."""
+    costs = np.zeros(len(rects))
+    if not situation.facts.is_in("lounges") or any(tie.kind == "in_rows" for tie in situation.target.ties):
+        return costs
+    front = rects.axes[:, 0]
+    for p in situation.solid:
+        if not facts_of(p.category).is_in("lounges"):
+            continue
+        angle = np.radians(p.yaw)
+        ahead, left = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+        to = np.array(p.position[:2]) - rects.centre
+        same = front @ ahead > SAME_WAY
+        out, aside = to @ ahead, np.abs(to @ left)
+        costs += AT_BACKS * (same & (np.abs(out) > p.size[0]) & (np.abs(out) < TALKS) & (aside < p.size[1] / 2))
+    return costs
 
 
 def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:

@@ -188,6 +188,11 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
             if z + situation.size[2] > situation.room.height - 0.02:
                 continue
             half = (size or situation.size)[1] / 2
+            beside_it = min(along, wall.length - along) - 0.01
+            if SHRINK[-1] * half <= beside_it < half and not any(situation.target.size):
+                narrow = scaled(size or situation.size, beside_it / half)
+                cost = 1.5 * rank + 0.2 * step
+                yield hang(situation, wall, along, z, why=f"it belongs over {anchor.id}", cost=cost, size=narrow)
             for shift in (0.0, 0.15, -0.15, 0.3, -0.3):
                 place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
                 cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)

@@ -265,7 +265,9 @@ def _turned_to(situation: Situation, marks: Sequence[Landmark], kind: str) -> It
     away = 180.0 if (situation.asset.gaze == "back") != (kind == "facing_away") else 0.0
     along = UNSERVED if situation.facts.is_in("served_over") else 0.0
     flush = (_dearer(idea, along) for idea in walls.along_walls(situation))
-    for idea in (*flush, *walls.off_walls(situation), *open_floor.grid(situation)):
+    amid = AMID if situation.facts.is_in("served_over") else 0.0
+    free = (_dearer(idea, amid) for idea in open_floor.grid(situation))
+    for idea in (*flush, *walls.off_walls(situation), *free):
         x, y, _ = idea.position
         turns = [
             turn_between(idea.yaw + away, math.degrees(math.atan2(m.centre[1] - y, m.centre[0] - x))) for m in marks
@@ -282,7 +284,7 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     off = () if walled else walls.clear_of_windows(situation, before)
     served = situation.facts.is_in("served_over")
     flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
-    behind = walls.BEHIND if served else _seats_behind(situation)
+    behind = walls.BEHIND if served else max(_seats_behind(situation), _room_behind(situation))
     candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
     candidates += walls.end_on_beside(situation, kind) if served else ()
     if kind == "window" and load_habits().tie(situation.target.category, "window") == "facing":
@@ -307,6 +309,11 @@ def _seats_behind(situation: Situation) -> float:
     own = situation.target.id
     round_it = (t for t in situation.followers for tie in t.ties if tie.kind == "around" and own in tie.anchors)
     return max((situation.kind(t).size[0] + SEATED for t in round_it), default=0.0)
+
+
+def _room_behind(situation: Situation) -> float:
+    """How much floor who stands behind what is placed needs [m]; 0 where nobody does."""
+    return max((use.depth for use in situation.facts.uses if use.sides == ("back",)), default=0.0)
 
 
 def _far_from_place(situation: Situation, place: str) -> Iterable[Idea]:

@@ -18,6 +18,12 @@ WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
 WIDEST_WITH_SEATS = 2.4
 """How far tables are drawn apart to use a large floor [m]."""
+ONE_WAY = 1.2
+"""Cost of two rows that are used from the aisle between them, and look the same way."""
+BACK_TO_BACK, BETWEEN_BLOCKS = 0.02, (2.0, 1.8)
+"""Free distance between desks whose backs are together, and between two blocks of them, with two seats [m]."""
+FEWEST_IN_BLOCK, LONGEST_BLOCK = 4, 4
+"""From so many on desks stand in blocks, and how many are side by side in one at most, if it can be."""
 WAY, NO_WAY = 0.6, 1.5
 """Least free width of the way between neighbours of which only so many form a row [m], and what it costs to have none.
 
@@ -43,15 +49,61 @@ class _Spacing:
 
 def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[RowLayout]:
     """Every way to lay out the members of a request in rows."""
+    if is_in_blocks(situation) and not facing and not mutual and not tie.asked:
+        yield from _in_blocks(situation, tie.count)
+        return
     for rank, rows in enumerate((tie.rows,) if gaps_in_row(situation) and tie.rows else _row_counts(tie)):
         columns = -(-tie.count // rows)
         dear = rank + UNEVEN * bool(tie.count % rows)
         for yaw in _directions(situation, facing, mutual=mutual):
             for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
                 dearer = replace(spacing, cost=spacing.cost + 0.4 * dear)
-                yield _layout(situation, tie.count, columns, yaw, dearer, inward=mutual, away=bool(facing))
-                if rows == 2 and not facing and situation.facts.is_in("from_aisles"):
+                aisle = rows == 2 and not facing and situation.facts.is_in("from_aisles")
+                one_way = replace(dearer, cost=dearer.cost + ONE_WAY) if aisle and not mutual else dearer
+                yield _layout(situation, tie.count, columns, yaw, one_way, inward=mutual, away=bool(facing))
+                if aisle:
                     yield _layout(situation, tie.count, columns, yaw, dearer, inward=True, away=False)
+
+
+def is_in_blocks(situation: Situation) -> bool:
+    """Whether the target is one of so many desks that they stand in blocks amid the room."""
+    return situation.facts.is_in("in_blocks") and situation.target.count >= FEWEST_IN_BLOCK
+
+
+def _in_blocks(situation: Situation, count: int) -> Iterator[RowLayout]:
+    """Rows in pairs, back to back: who works at one of them looks at who works at the other."""
+    depth, width, _ = situation.size
+    beside = BACK_TO_BACK
+    for rows in range(2, count, 2):
+        columns = -(-count // rows)
+        if columns * (rows - 1) >= count:
+            break
+        dear = UNEVEN * 0.4 * bool(count % rows) + 0.4 * abs(rows - _blocks_for(count))
+        for rank, aisle in enumerate(BETWEEN_BLOCKS if rows > 2 else BETWEEN_BLOCKS[:1]):
+            for yaw in (0.0, 90.0):
+                pitches = [
+                    row // 2 * (2 * depth + BACK_TO_BACK + aisle) + row % 2 * (depth + BACK_TO_BACK)
+                    for row in range(rows)
+                ]
+                yield _turned(pitches, columns, count, width + beside, yaw, 0.1 * rank + dear)
+
+
+def _blocks_for(count: int) -> int:
+    """In how many rows so many desks stand, two to a block."""
+    return 2 * -(-count // (2 * LONGEST_BLOCK))
+
+
+def _turned(outs: list[float], columns: int, count: int, pitch: float, yaw: float, cost: float) -> RowLayout:
+    """Slots in rows so far out from the first, every second row turned round."""
+    angle = math.radians(yaw)
+    (ux, uy), (vx, vy) = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    slots, yaws = [], []
+    for number in range(count):
+        row, column = divmod(number, columns)
+        u, v = outs[-1] / 2 - outs[row], ((columns - 1) / 2 - column) * pitch
+        slots.append((ux * u + vx * v, uy * u + vy * v))
+        yaws.append((yaw + 180.0 * (row % 2)) % 360.0)
+    return RowLayout(tuple(slots), tuple(yaws), cost)
 
 
 def _row_counts(tie: Tie) -> tuple[int, ...]:

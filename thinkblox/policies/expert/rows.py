@@ -91,8 +91,10 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
     layouts = list(row_layout.layouts(situation, tie, facing=facing, mutual=mutual))
     blocks = _everywhere(situation, layouts, facing)
     order = _in_order(situation)
-    walled = order and any(t.kind == "against_wall" for t in situation.target.ties)
-    if not facing and not mutual and (walled or belongs_to_wall(situation)):
+    walled = any(t.kind == "against_wall" for t in situation.target.ties)
+    if walled and not order and not tie.asked and not facing and not mutual:
+        blocks = _at_walls(situation, tie)
+    elif not facing and not mutual and ((order and walled) or belongs_to_wall(situation)):
         blocks = _joined(_at_walls(situation, tie), _dearer(blocks, AWAY_FROM_WALL))
     blocks = _holding(situation, blocks, order)
     if not len(blocks):

@@ -10,6 +10,8 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
+SEATED, DRAWN_BACK = ("around", "at_long_side", "at_short_side"), 0.65
+"""Relations of seats to a table, and how far a rug reaches past it for them [m]."""
 BEYOND_BED = 0.6
 """How far a rug reaches past the sides and the foot of a bed [m]."""
 
@@ -39,10 +41,25 @@ def _along(anchor: Placement, size: Vec3, turn: float) -> float:
 
 def _sizes(situation: Situation, anchor: Placement) -> tuple[Vec3, ...]:
     size = situation.size
+    if seated := _under_seats(situation, anchor):
+        return (seated, size)
     larger = (size[0] * 1.25, size[1] * 1.25, size[2])
     smaller = (size[0] * 0.8, size[1] * 0.8, size[2])
     covers = max(size[0], size[1]) >= max(anchor.size[0], anchor.size[1]) + 0.3
     return (size, smaller) if covers else (larger, size, smaller)
+
+
+def _under_seats(situation: Situation, table: Placement) -> Vec3 | None:
+    """So large that the chairs about a table stay on it when they are drawn back; None where nobody sits there."""
+    targets, sizes = situation.observation.plan.targets, situation.observation.sizes
+    around = any(tie.kind in SEATED and table.id in tie.anchors for t in targets for tie in t.ties)
+    if not around or sizes is None or any(situation.target.size) or situation.asset.front == "any":
+        return None
+    short, long = sorted(side + 2 * DRAWN_BACK for side in table.size[:2])
+    wanted = (short, long) if situation.size[0] <= situation.size[1] else (long, short)
+    fits = (min(max(want, low), high) for want, low, high in zip(wanted, sizes[0], sizes[1], strict=False))
+    depth, width = fits
+    return (depth, width, situation.size[2])
 
 
 def _lie(situation: Situation, anchor: Placement, local: Vec2, turn: float, size: Vec3, cost: float) -> Idea:

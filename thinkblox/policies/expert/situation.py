@@ -143,10 +143,11 @@ class Situation:
 
     @cached_property
     def relatives(self) -> frozenset[str]:
-        """What the plan puts close to the target: its anchors, and whatever shares one of them."""
+        """What the plan puts close to the target: its anchors, what shares one of them, and the rest of its rows."""
         anchors = _objects(self.target)
         shared = (t.id for t in self.observation.plan.targets if anchors & _objects(t))
-        return frozenset(anchors).union(shared)
+        lined = any(tie.kind == "in_rows" for tie in self.target.ties)
+        return frozenset(anchors).union(shared, (p.id for p in self.siblings) if lined else ())
 
     @cached_property
     def clearances(self) -> Rects:

@@ -243,7 +243,8 @@ def _alike(surfaces: Sequence[Surface]) -> list[Surface]:
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
     if _users_way(anchor) < 0.0 and situation.asset.front == "one":
         return (180.0,)
-    if situation.facts.is_in("staff_side") and not _against_wall(situation, anchor):
+    served = facts_of(anchor.category).is_in("served_over")
+    if situation.facts.is_in("staff_side") and served and not _against_wall(situation, anchor):
         return (180.0,)
     if situation.asset.front == "any" or (_looks_ahead(situation) and situation.target.count > 1):
         return (0.0,)

@@ -8,6 +8,7 @@ import numpy as np
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import WALL_GAP
 from thinkblox.policies.expert.partners import gaps_in_row
+from thinkblox.policies.expert.row_layout import is_in_blocks
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import oriented
 from thinkblox.scene.room import Wall, turn_between
@@ -15,7 +16,7 @@ from thinkblox.value import Vec2
 
 WIDEST = 1.6
 """How far neighbours are drawn apart to use a long wall [m]."""
-PLACES = 7
+PLACES = 13
 """Places tried along a wall."""
 ONE_WALL = 0.6
 """Cost of one long row where two were meant, or of two where one was."""
@@ -25,8 +26,9 @@ UNEVEN = 1.0
 
 def belongs_to_wall(situation: Situation) -> bool:
     """Whether such a thing stands with its back to a wall."""
-    first = next(iter(situation.facts.habits), "")
-    return first.startswith("against_wall")
+    habits = (habit for habit in situation.facts.habits if " if " not in habit)
+    amid = is_in_blocks(situation) or situation.facts.is_in("islands")
+    return not amid and next(habits, "").startswith("against_wall")
 
 
 def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list[float], float]]:
@@ -54,10 +56,12 @@ def _walls(walls: tuple[Wall, ...], rows: int) -> Iterator[tuple[Wall, ...]]:
 
 
 def _gaps(situation: Situation, wall: Wall, columns: int) -> tuple[float, ...]:
-    """Free distances to the neighbour: as even as the wall allows, then the usual ones [m]."""
+    """Free distances to the neighbour, for what stands in line as even as the wall allows; then the usual ones [m]."""
     if between := gaps_in_row(situation):
         return between
     usual = situation.facts.row.beside
+    if not situation.facts.is_in("in_line", "beds"):
+        return usual
     _, (_, width) = oriented(situation.size, situation.asset.front)
     even = (wall.length - columns * width) / columns
     return (min(even, WIDEST), *usual) if even > usual[0] else usual

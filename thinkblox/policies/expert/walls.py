@@ -26,6 +26,8 @@ ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
 WAITING = 2
 """From so many on, seats by the walls stand side by side."""
+TORN_APART = 3.0
+"""Cost of a place by the walls that is not in the row of what stands in one."""
 FOCAL, ATTENDED = 0.9, 3.0
 """What it costs to stand at the end of a wall, where the middle is best, and for what rows of seats look at."""
 STEPS = 14
@@ -82,11 +84,15 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
         if situation.in_run(p):
             for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
-    if situation.target.count >= WAITING and situation.facts.is_in("chairs", "lounges"):
+    in_rows = any(tie.kind == "in_rows" for tie in situation.target.ties)
+    seats = situation.facts.is_in("chairs", "lounges")
+    if situation.target.count >= WAITING and (seats or in_rows):
+        gaps = (0.05,) if seats else situation.facts.row.beside
         for p in situation.siblings:
-            for idea in sides_of(situation, p, ("left", "right"), gaps=(0.05,), why=f"it stands in a row with {p.id}"):
+            for idea in sides_of(situation, p, ("left", "right"), gaps=gaps, why=f"it stands in a row with {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
-    yield from along_walls(situation, named_walls(situation.room, place))
+    for idea in along_walls(situation, named_walls(situation.room, place)):
+        yield replace(idea, cost=idea.cost + TORN_APART) if in_rows else idea
 
 
 def off_walls(situation: Situation, behind: float = BEHIND, *, turned_round: bool = False) -> Iterator[Idea]:
