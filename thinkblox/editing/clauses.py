@@ -146,6 +146,8 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     lead, rest = list(tokens[begin:at]), without_announcements(tokens[at + 1 :])
     first, said = _first(rest), _start(lead, _first(lead), first=True) if _first(lead) < len(lead) else None
     start = _start(rest, first, first=True) if first < len(rest) else None
+    if start is None and said is not None and _is_list_of_new(lead, said, rest):
+        return [*tokens[:begin], replace(tokens[at], text="add", kind="word"), *rest]
     if start is None:
         return [*tokens[:begin], *lead, *rest]
     end = next((n for n in range(first, len(rest)) if rest[n].text in ENDS), len(rest))
@@ -158,6 +160,14 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     alone = not any(grammar().at(rest, n, "prepositions") for n in range(first, end))
     where = _place_at_end(lead) if start.doing in ("add", "put") and alone else []
     return [*tokens[:begin], *rest[:end], *where, *rest[end:]]
+
+
+def _is_list_of_new(lead: Sequence[Token], said: _Start, rest: Sequence[Token]) -> bool:
+    """Whether a colon leads from what is to be done to what is to come for it: "Set the table: a glass for each"."""
+    whole = said.doing in _NEWS and said.body < len(lead) and lead[said.body].text in ("the", "my", "our")
+    new = bool(rest) and (rest[0].text in ("a", "an", "some") or rest[0].kind == "number")
+    new = new or grammar().at(rest, 0, "count") is not None
+    return whole and new and not any(grammar().at(lead, n, "prepositions") for n in range(said.body, len(lead)))
 
 
 def _place_at_end(lead: Sequence[Token]) -> list[Token]:

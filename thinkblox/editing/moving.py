@@ -43,6 +43,7 @@ from thinkblox.editing.goals import (
 )
 from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
 from thinkblox.editing.scattering import moved_to, scatter
@@ -600,6 +601,10 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
         done = _reach_beside(work, id, goals, direct)
+        if done is not None and with_room_between(
+            work, id, goals, lambda: reach_goals(work, id, goals, direct=_spots(work, id, goals)) is None
+        ):
+            done = None
     say(work, id, before, done, goals)
 
 

@@ -14,6 +14,8 @@ Doing = Literal[
 
 INSTEAD = "instead of"
 """The words of a place at which something is not to be: it may also be what makes room there."""
+BEARS, BORE = "that carries", "that carried"
+"""The words of a place by which a thing is told by what rests on it, or rested on it before."""
 SAME = "same"
 """The degree of a new thing that is as large as what it comes in place of."""
 

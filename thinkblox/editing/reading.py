@@ -9,15 +9,25 @@ from typing import cast
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses, without_announcements
+from thinkblox.editing.corrections import corrected
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
-from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import in_between, reworded, something_instead, uncontracted, with_ids, with_owners
+from thinkblox.editing.orders import BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.rewording import (
+    in_between,
+    reworded,
+    something_instead,
+    uncontracted,
+    with_heads,
+    with_ids,
+    with_owners,
+)
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
 from thinkblox.reading.english.grammar import grammar
@@ -61,6 +71,10 @@ _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
 _IT = ("it", "them", "this", "that", "these", "those")
 _INTO = ("to", "onto", "into")
+_STANDING = ("verbs", "participles")
+"""Words between a thing and what it stands on."""
+_STOOD = ("was", "were", "stood", "sat", "lay", "rested", "used")
+"""Those of them that speak of before."""
 _TO_WALL = ("put", "move", "turn")
 """Orders by which a back comes to be against a wall."""
 _AREAS = ("area", "zone")
@@ -82,8 +96,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
-    said = something_instead(reworded(with_owners(lexicon, read)))
+    read = corrected(lexicon, [_corrected(lexicon, token) for token in lexicon.tokens(plain)])
+    said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
     tokens = without_announcements(_without_commas(_included(in_between(said))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
@@ -277,6 +291,7 @@ class _OrderReader:
         self._more = False
         self._up_to = False
         self._only = False
+        self._eached = False
         self._fraction = 0.0
         self._centring = bool(means("centring", words[0]))
         self._piling = bool(means("piling", words[0]))
@@ -336,6 +351,8 @@ class _OrderReader:
         if order.doing == "add" and self._is_had_by_each():
             order.doing = "ensure"
         self._along()
+        if order.doing in ("add", "put", "ensure"):
+            self._comes_along(each=self._eached)
         self._nearer_one()
         self._beside_one()
         self._looked()
@@ -627,7 +644,7 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        if self._is_address(noun):
+        if self._is_address(noun) or self._told_by_rider(noun) or self._is_each_of_new(noun):
             return
         noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
@@ -644,6 +661,49 @@ class _OrderReader:
             self._excepted = phrase
         elif not self._in_mode(phrase) and not self._is_of_room(noun):
             self._thing(phrase)
+
+    def _told_by_rider(self, noun: Noun) -> bool:
+        """Take "(the table) the printer was standing on", "it stands on", by which that is told; whether it was so.
+
+        Raises:
+            InputError: it is not said how the second of two things is to the first: "remove the desk the lamp".
+        """
+        before = self._items[self._at - 2] if self._at > 1 else None
+        following = self._items[self._at] if self._at < len(self._items) else None
+        if isinstance(before, Noun) and isinstance(following, Noun) and noun.text.lower() in ("that", "which"):
+            del self._items[self._at - 1]
+            self._at -= 1
+            return True
+        if not isinstance(before, Noun) or before.kind != "thing" or noun.kind not in ("thing", "pronoun"):
+            return False
+        if not (noun.definite or noun.id or _is_it(noun)) or before.det not in ("the", "my", "all", "each", "both"):
+            return False
+        at, past = self._at, False
+        while at < len(self._items):
+            verb = self._items[at]
+            if not isinstance(verb, Connector) or verb.sort not in _STANDING:
+                break
+            past |= verb.text.lower() in _STOOD
+            at += 1
+        link = self._items[at] if at < len(self._items) else None
+        after = self._items[at + 1] if at + 1 < len(self._items) else None
+        on = isinstance(link, Connector) and link.value in ("on", "in", "inside", "on_top") and at > self._at
+        if on and not isinstance(after, Noun):
+            held = self._owner_of(before)
+            if held is None:
+                return False
+            held.append(Where("with", noun, text=BORE if past else BEARS))
+            self._at = at + 1
+            return True
+        if self.order.doing == "remove" and noun.kind == "thing":
+            raise InputError(
+                f"'{self.order.text}': how '{noun.text}' is to '{before.text}' is not understood; name what is to go"
+            )
+        return False
+
+    def _owner_of(self, noun: Noun) -> list[Where] | None:
+        """The places of the phrase that a noun is the head of; None where it is none."""
+        return next((p.places for p in self.order.things if p.noun is noun or p.noun.text == noun.text), None)
 
     def _in_mode(self, phrase: NounPhrase) -> bool:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
@@ -711,6 +771,8 @@ class _OrderReader:
                 order.places.append(where)
         elif self._mode == "instead" and order.instead and noun.word == "size" and "same" in noun.text.split():
             order.instead[-1].noun = replace(order.instead[-1].noun, degree=SAME)
+        elif noun.word == "size" and "same" in noun.text.lower().split() and (new := self._new_thing()) is not None:
+            new.degree = SAME
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
@@ -745,7 +807,7 @@ class _OrderReader:
             order.apart.append((order.lengths.pop()[0], phrase))
             self._distance, self._anchors = False, [noun]
         elif order.doing == "add" and order.things and noun.kind == "pronoun" and noun.det in ("both", "all", "each"):
-            pass
+            self._comes_along(each=True)
         elif self._is_one_of_them(noun):
             self._told_apart(noun)
         elif self._shares_out(noun):
@@ -759,6 +821,33 @@ class _OrderReader:
             self._anchors, self._former = [], self._anchors
         else:
             self._lose(noun)
+
+    def _is_each_of_new(self, noun: Noun) -> bool:
+        """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
+        new = self.order.doing in ("add", "put", "ensure") and bool(self.order.things)
+        following = self._items[self._at] if self._at < len(self._items) else None
+        linked = isinstance(following, Connector) and following.value == "with"
+        said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
+        self._eached |= said
+        return said
+
+    def _comes_along(self, *, each: bool) -> None:
+        """Read "(two desks with a chair and) a monitor each" as what comes with every one of what is added.
+
+        Where nobody says "each", what usually rests on such a thing does.
+        """
+        things = self.order.things
+        head = next((n for n, p in enumerate(things) if any(w.word == "with" for w in p.places)), None)
+        if head is None or things[head].noun.definite:
+            return
+        later, kind = things[head + 1 :], things[head].noun.value
+        new = all(p.noun.kind == "thing" and not (p.noun.definite or p.places or p.id) for p in later)
+        usual = all(
+            any(habit.kind == "on" and kind in habit.anchors for habit in load_habits().of(p.noun.value)) for p in later
+        )
+        if later and new and (each or usual):
+            things[head].places += [Where("with", p.noun, text="with") for p in later]
+            del things[head + 1 :]
 
     def _is_one_of_them(self, noun: Noun) -> bool:
         """Whether it tells how one of several new things looks: "two cushions, a red one and a blue one"."""

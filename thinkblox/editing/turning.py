@@ -3,14 +3,17 @@
 import dataclasses
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, BackTo, Goal, Related, Turned
+from thinkblox.editing.goals import At, BackTo, Goal, Related, Straight, Turned
+from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.reaching import without
+from thinkblox.editing.spots import Pose, free, near_offsets
 from thinkblox.editing.wheres import bound, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -34,6 +37,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
     seen: set[str] = set()
     order = _with_seats(gathered(work, finder, order))
+    aimed = _is_aimed(order)
     for ids, places in _turned(work, finder, order):
         ids = tuple(id for id in ids if not (order.company and facts_of(work.scene[id].category).is_in("seating")))
         for id in (i for i in ids if i not in seen):
@@ -50,7 +54,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
-                with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks))  # type: ignore[misc]
+                with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks, aimed=aimed))  # type: ignore[misc]
             elif order.mutual != "facing":
                 with_company(work, finder, order, id, lambda id=id: turn_by(work, id, order))  # type: ignore[misc]
         finder.recent = list(ids)
@@ -136,9 +140,30 @@ def turn_by(work: Work, id: str, order: Order) -> None:
     _say_moved(work, before)
 
 
-def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
+def _is_aimed(order: Order) -> bool:
+    """Whether a verb or word says that a thing is to look straight at something: "angle the armchair towards it"."""
+    return any(means("aiming", word) for word in order.text.lower().split())
+
+
+def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False) -> None:
+    """Turn one object to what it is to face: straight to it where that is said, or where it is so only about."""
     before = work.scene[id]
-    if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+    straight = [Straight(g.kind, g.anchors) if type(g) is Related and g.kind == "facing" and not g.negated else g
+                for g in goals]  # fmt: skip
+    so = all(goal.check(work.before, work.scene, id)[0] for goal in goals)
+    about = so and not all(goal.check(work.before, work.scene, id)[0] for goal in straight)
+    if straight != list(goals) and (aimed or about):
+        there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
+        begun = chain(turns(work.scene, before, straight), _aimed_about(work, id, straight))
+        failed = reach_goals(work, id, [*straight, there], direct=begun)
+        if failed is None or not so:
+            say(work, id, before, failed, straight)
+            _say_moved(work, before)
+            return
+        work.notes.append(
+            f"{id} was not turned straight to {', '.join(straight[0].tie.anchors if straight[0].tie else ())}"
+        )
+    if so:
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
@@ -146,6 +171,22 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
     say(work, id, before, failed, goals)
     _say_moved(work, before)
+
+
+def _aimed_about(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Free places about where a thing stands, the nearest first, from each of which it looks straight at its mark."""
+    before, asset = work.scene[id], work.asset_of(id)
+    away = 180.0 if asset.gaze == "back" else 0.0
+    marks = [m for goal in goals if isinstance(goal, Straight) for n in goal.anchors for m in things(work.scene, n)]
+    if not marks or asset.mount != "floor":
+        return
+    x, y, z = before.position
+    mark = min(marks, key=lambda m: math.dist(m.centre, (x, y)))
+    poses: list[Pose] = []
+    for dx, dy in near_offsets(TURNED):
+        spot = (round(x + dx, 4), round(y + dy, 4))
+        poses.append(((*spot, z), round((bearing(spot, mark.centre) + away) % 360.0, 1) % 360.0))
+    yield from free(without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))]), asset, poses)
 
 
 def _say_moved(work: Work, before: Placement) -> None:
