@@ -90,6 +90,7 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
     if there.kind in _ABOUT and not hung:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
+    there = replace(there, kind="in_front_of") if hung and there.kind == "on" else there
     return there, [MidOf(anchor, across=there.kind in _SIDES)]
 
 

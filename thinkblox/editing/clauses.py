@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from thinkblox.editing.grammar import longest, means
 from thinkblox.errors import InputError
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
 ENDS = (".", ";", "!", "?", "\n")
@@ -81,8 +82,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         unknown: takes what means nothing.
 
     Raises:
-        InputError: it depends on a condition, asks for an edit to be taken back or for things back to back, or says
-            only what is not to be done.
+        InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
     """
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
@@ -168,6 +168,22 @@ def _is_list_of_new(lead: Sequence[Token], said: _Start, rest: Sequence[Token]) 
     new = bool(rest) and (rest[0].text in ("a", "an", "some") or rest[0].kind == "number")
     new = new or grammar().at(rest, 0, "count") is not None
     return whole and new and not any(grammar().at(lead, n, "prepositions") for n in range(said.body, len(lead)))
+
+
+def without_reasons(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what somebody tells of people before the first order, which names no thing.
+
+    "We hired two more people, add two desks" is to add two desks.
+    """
+    left = list(tokens)
+    while left and means("persons", left[0].text):
+        end = next((n for n, token in enumerate(left) if token.text in (*ENDS, ",", "–")), len(left))
+        told, rest = left[:end], left[end + 1 :]
+        things = any(lexicon.longest(told, n).entry("object") is not None for n in range(len(told)))
+        if things or not rest or list(_starts(told)) or longest("dislikes", told, 0):
+            break
+        left = rest[1:] if rest[0].text in ("so", "and") else rest
+    return left
 
 
 def _place_at_end(lead: Sequence[Token]) -> list[Token]:
@@ -325,7 +341,8 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
-        word = () if placed - _IN else (_TOGETHER,)
+        faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
+        word = () if placed - _IN or faced else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
     if clause.doing == "spread" and (over := _without(tokens, "all_over")) is not None:
         return Clause("spread", "", over, clause.text)
@@ -510,11 +527,6 @@ def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
             rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
-        mutual = grammar().at(tokens, index, "mutual")
-        if mutual is not None and mutual.value == "back_to_back":
-            raise InputError(
-                "how things stand 'back to back' is not followed; say of each what it is to face, and where"
-            )
     first = _first(tokens)
     if longest("undo", tokens, first) is not None:
         raise InputError(
@@ -648,6 +660,8 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         return _Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
     for index in _within(tokens, at + 1):
         found = longest("wishes", tokens, index)
+        mutual = grammar().at(tokens, index, "mutual")
+        found = None if found is not None and mutual is not None and mutual.length > found[1] + 1 else found
         if found is not None and not first and _is_list(tokens[at:index]):
             return None
         if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):

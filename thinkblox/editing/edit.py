@@ -18,7 +18,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
-from thinkblox.editing.making import make
+from thinkblox.editing.making import hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
@@ -297,6 +297,9 @@ def _is_there(scene: Scene, there: Bound, id: str) -> bool:
 
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
+    if hangs_down(work, finder, order):
+        hang(work, finder, order)
+        return
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if order.things and not any(known) and not order.rest:
@@ -355,6 +358,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
         if order.lengths or order.slight:
             raise InputError(f"'{order.text}': away from what? Say 'away from the wall'")
         remove(work, finder, order)
+        return
+    if hangs_down(work, finder, order):
+        hang(work, finder, order)
         return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and _is_more(finder, p.noun) for p in order.things]
@@ -524,10 +530,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     joined: list[Order] = []
     for order in _of_those_kept(orders):
         last = joined[-1] if joined else None
-        if last is not None and last.doing in _TURNABLE and _keeps_facing(order):
-            order.doing = "turn"
-        if last is not None and _fetches_another(last):
-            last.doing = "add"
+        _as_is_meant(last, order)
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
@@ -554,6 +557,14 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _as_is_meant(last: Order | None, order: Order) -> None:
+    """Let "but keep them facing the door" turn what was replaced, and "get another chair (and put it there)" add it."""
+    if last is not None and last.doing in _TURNABLE and _keeps_facing(order):
+        order.doing = "turn"
+    if last is not None and _fetches_another(last):
+        last.doing = "add"
 
 
 def _of_those_kept(orders: Sequence[Order]) -> list[Order]:

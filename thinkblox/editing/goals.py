@@ -226,16 +226,18 @@ class Amid(Related):
 
 @dataclass(frozen=True)
 class Straight(Related):
-    """It looks straight at something."""
+    """It looks straight at something, within so many degrees."""
+
+    within: float = STRAIGHT
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
-        """Between its gaze and the way to that, within STRAIGHT degrees."""
+        """Between its gaze and the way to that."""
         held, says = super().check(before, after, id)
         mark = things(after, id)[0]
         if mark.front == "any":
             return held, says
         ways = [bearing(mark.centre, m.centre) for name in self.anchors for m in things(after, name)]
-        return held and min(turn_between(mark.gaze, way) for way in ways) <= STRAIGHT, says
+        return held and min(turn_between(mark.gaze, way) for way in ways) <= self.within, says
 
 
 @dataclass(frozen=True)

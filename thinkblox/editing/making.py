@@ -1,14 +1,20 @@
 """Orders that make something otherwise: the room longer, a thing larger, blue or round, a picture higher."""
 
+import dataclasses
+
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import Order
 from thinkblox.editing.remaking import factors, looks_of, otherwise
 from thinkblox.editing.replacing import replace_one
 from thinkblox.editing.resizing import resize
+from thinkblox.editing.spreading_under import spread_under
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
+
+LOWER, SLIGHT = 0.2, 0.1
+"""How much lower or higher a lamp hangs where nobody says by how much, and where it is a bit [m]."""
 
 
 def make(work: Work, finder: Finder, order: Order) -> None:
@@ -24,11 +30,37 @@ def make(work: Work, finder: Finder, order: Order) -> None:
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is to be made otherwise; there {finder.listed()}")
+    if order.bears:
+        spread_under(work, finder, order)
+        return
     if order.change in ("higher", "lower") and not order.looks and _hangs(work, finder, order):
         order.direction, order.change = "up" if order.change == "higher" else "down", ""
-        move(work, finder, order)
+        if hangs_down(work, finder, order):
+            hang(work, finder, order)
+        else:
+            move(work, finder, order)
         return
     _remake(work, finder, order)
+
+
+def hangs_down(work: Work, finder: Finder, order: Order) -> bool:
+    """Whether an order takes what hangs from the ceiling up or down, by which its cord becomes shorter or longer."""
+    if order.direction not in ("up", "down") or order.closer or order.apart or not order.things:
+        return False
+    if any(phrase.noun.kind not in ("thing", "pronoun", "number") for phrase in order.things):
+        return False
+    recent, seen = list(finder.recent), list(finder.seen)
+    ids = [id for phrase in order.things for id in named(finder, phrase, phrase.places)]
+    finder.recent, finder.seen = recent, seen
+    return bool(ids) and all(work.scene[id].support == "ceiling" for id in ids)
+
+
+def hang(work: Work, finder: Finder, order: Order) -> None:
+    """Let what hangs from the ceiling hang lower or higher, on a longer or a shorter cord."""
+    step = order.lengths[0][0] if order.lengths else SLIGHT if order.slight else LOWER
+    change = "larger" if order.direction == "down" else "smaller"
+    longer = dataclasses.replace(order, change=change, lengths=[(step, "height")], direction="", by=True, looks=[])
+    _remake(work, finder, longer)
 
 
 def _hangs(work: Work, finder: Finder, order: Order) -> bool:

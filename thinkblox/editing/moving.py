@@ -36,13 +36,16 @@ from thinkblox.editing.goals import (
     Free,
     Goal,
     IntoRoom,
+    MidOf,
     Midway,
     Nearing,
     Related,
     Spot,
 )
 from thinkblox.editing.grammar import means, sections
+from thinkblox.editing.lengthwise import beside_wall, lengthwise
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.pairing import pair_up
 from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
@@ -113,10 +116,8 @@ SLIGHT_SHARES = (0.25, 0.15, 0.35)
 
 def move(work: Work, finder: Finder, order: Order) -> None:
     """Move things to where an order says, or by as much, or nearer to or away from something."""
-    if order.together or order.scatter or order.mutual == "next_to":
-        _together(work, finder, order)
-        if order.mutual == "facing":
-            face_each_other(work, finder, dataclasses.replace(order, things=[]))
+    if order.together or order.scatter or order.mutual not in ("", "facing"):
+        _to_each_other(work, finder, order)
         return
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
@@ -148,6 +149,16 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _to_each_other(work: Work, finder: Finder, order: Order) -> None:
+    """Bring things to where they stand to each other as an order says."""
+    if order.mutual in ("face_to_face", "back_to_back"):
+        pair_up(work, finder, order)
+        return
+    _together(work, finder, order)
+    if order.mutual == "facing":
+        face_each_other(work, finder, dataclasses.replace(order, things=[]))
 
 
 def _shifted_at_once(work: Work, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]) -> bool:
@@ -485,6 +496,9 @@ def _at_place(
         old = spot_of(where, id, work.start, finder)
         yield Spot(old.position[:2], THERE, old=old)
         return
+    if where.text in ("long_side", "short_side") and where.noun is not None:
+        yield from lengthwise(work, finder, id, where)
+        return
     if where.noun is not None and _is_any_other_corner(where, where.noun):
         yield Related("in_corner", ("corner",))
         yield Elsewhere(OTHER_CORNER)
@@ -592,6 +606,8 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         direct = chain(
             _at_spot(work, id, goals),
             _midway(work.scene, before, goals),
+            _onto_line(work.scene, before, goals),
+            beside_wall(work.scene, work.asset_of(id), before, goals),
             _in_line(work.scene, before, goals),
             _so_far(work.scene, before, goals),
             _spots(work, id, goals),
@@ -678,6 +694,16 @@ def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[
     for goal in (g for g in goals if isinstance(g, Midway)):
         off, way = goal.off(scene, before.position[:2])
         yield shifted(before, (-off * way[0], -off * way[1], 0.0)), before.yaw
+
+
+def _onto_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The place as it is, moved aside onto the line through the middle of a thing."""
+    for goal in (g for g in goals if isinstance(g, MidOf)):
+        mark = things(scene, goal.anchor)[0]
+        ahead, left = mark.to_local(before.position[:2])
+        off, way = (ahead, mark.yaw) if goal.across else (left, mark.yaw + 90.0)
+        x, y = math.cos(math.radians(way)), math.sin(math.radians(way))
+        yield shifted(before, (-off * x, -off * y, 0.0)), before.yaw
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

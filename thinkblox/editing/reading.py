@@ -8,7 +8,7 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
-from thinkblox.editing.clauses import Clause, clauses, without_announcements
+from thinkblox.editing.clauses import Clause, clauses, without_announcements, without_reasons
 from thinkblox.editing.corrections import corrected
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
@@ -70,6 +70,8 @@ _OF_THOSE = ("remove", "replace", "make")
 _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
 _IT = ("it", "them", "this", "that", "these", "those")
+_OF_TWO = {"face to face": "face_to_face", "back to back": "back_to_back"}
+"""How two things stand that are brought together so."""
 _INTO = ("to", "onto", "into")
 _STANDING = ("verbs", "participles")
 """Words between a thing and what it stands on."""
@@ -98,7 +100,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
     read = corrected(lexicon, [_corrected(lexicon, token) for token in lexicon.tokens(plain)])
     said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
-    tokens = without_announcements(_without_commas(_included(in_between(said))))
+    tokens = without_reasons(lexicon, without_announcements(_without_commas(_included(in_between(said)))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -1078,6 +1080,8 @@ class _OrderReader:
                 self.order.lost.append(f"not {link.text}")
                 return
             things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+        elif link.text.lower() in _OF_TWO:
+            self._of_two(_OF_TWO[link.text.lower()], link)
         elif (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
@@ -1087,6 +1091,18 @@ class _OrderReader:
             self.order.abreast = True
         else:
             self._lose(link)
+
+    def _of_two(self, mutual: str, link: Connector) -> None:
+        """Read "face to face", "back to back" of two things that are moved; such things are not turned alone.
+
+        Raises:
+            InputError: the order is no such.
+        """
+        if self.order.doing not in ("move", "put"):
+            raise InputError(
+                f"'{self.order.text}': how things stand '{link.text}' is followed where two are put so; say 'put'"
+            )
+        self.order.mutual = mutual
 
     def _is_free_next(self) -> bool:
         item = self._items[self._at] if self._at < len(self._items) else None
@@ -1142,7 +1158,7 @@ class _OrderReader:
             self._without_noun(link, following)
             return
         self._narrowed()
-        if (link.value in ("with", "so") and self._is_back(following)) or self._with_all_on_it(link, following):
+        if self._with_own(link, following):
             return
         towards = link.text.lower() in ("towards", "toward")
         if self._comes_instead(link, following):
@@ -1159,6 +1175,12 @@ class _OrderReader:
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
             self._placed(self._where(link))
+
+    def _with_own(self, link: Connector, following: Noun) -> bool:
+        """Take "with its back (to it)", "with its long side along it", "with everything on it"; whether it was that."""
+        if link.value == "with" and self._with_side(following):
+            return True
+        return (link.value in ("with", "so") and self._is_back(following)) or self._with_all_on_it(link, following)
 
     def _faces_later(self) -> bool:
         """Whether what things are to face is still to come: "turn the chairs at the table towards the door"."""
@@ -1385,7 +1407,8 @@ class _OrderReader:
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1
-            where.whole = self._next_noun()
+            whole = self._next_noun()
+            where.whole = self._merged(whole) if whole is not None and whole.kind == "number" else whole
         elif self._is_side_of_it(where.noun):
             where.whole = Noun("pronoun", "it", 0, 0, "it")
         elif self._is_other_part(where.noun):
@@ -1510,14 +1533,52 @@ class _OrderReader:
         if apart and self.order.lengths and where.second is not None:
             self.order.apart.append((self.order.lengths.pop()[0], NounPhrase(where.second, id=where.second.id)))
             return
+        if said is not None and self._is_lengthwise(said, where):
+            return
         if said is not None and said.kind == "part" and said.value in (*_SIDED, *_IN_ROW, "front"):
             self.order.lost.append(f"{said.text} {where.text} {where.noun.text if where.noun else ''}".strip())
+            return
+        if self._is_borne(where):
             return
         kept_clear = said is None or said.kind in ("room", "abstract") or said.text.lower().startswith(("no", "more"))
         if kept_clear and where.noun is not None:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+    def _is_borne(self, where: Where) -> bool:
+        """Take "(make the rug bigger so that) the sofa and both armchairs are on it"; whether it was that."""
+        order = self.order
+        it = where.noun is not None and _is_it(where.noun) and where.word in ("on", "on_top") and not where.negated
+        known = bool(self._so) and all(p.noun.kind == "thing" and (p.noun.definite or p.id) for p in self._so)
+        if not (it and known and order.doing == "make" and len(order.things) == 1):
+            return False
+        order.bears += self._so
+        return True
+
+    def _with_side(self, said: Noun) -> bool:
+        """Take "with its long side along the west wall"; whether it was that."""
+        link, wall = (self._items[n] if n < len(self._items) else None for n in (self._at + 1, self._at + 2))
+        if said.kind != "part" or not isinstance(link, Connector) or not isinstance(wall, Noun):
+            return False
+        if not self._is_lengthwise(said, Where(link.value, wall, text=link.text)):
+            return False
+        self._at += 3
+        return True
+
+    def _is_lengthwise(self, said: Noun, where: Where) -> bool:
+        """Take "(so that) its long side is along the west wall" as how it comes to stand there; whether it was that."""
+        order, wall = self.order, where.noun
+        at_wall = (
+            wall is not None and wall.kind == "place" and "wall" in wall.value and where.word in (*_AT_BACK, "along")
+        )
+        if said.value not in ("long_side", "short_side") or not at_wall or order.doing not in _TO_WALL or where.negated:
+            return False
+        if len(order.things) != 1 or order.turn is not None:
+            return False
+        order.doing = "move"
+        order.things[0].places.append(replace(where, word="along", text=said.value))
+        return True
 
 
 def _of_kind(item: Item, kinds: Collection[str]) -> Item:
@@ -1536,7 +1597,7 @@ def _of_kind(item: Item, kinds: Collection[str]) -> Item:
 def _is_theirs(noun: Noun) -> bool:
     """Whether it belongs to what was named before: "its chairs"."""
     words = [word for word in noun.text.lower().split() if word not in ("all", "both", "of")]
-    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"])
+    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"], ["her"], ["his"])
 
 
 def _is_it(noun: Noun) -> bool:

@@ -101,8 +101,17 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
         yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
     elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
         yield from _on_top(scene, asset, scene[name])
-    elif goal.kind in BESIDE and asset.mount == "floor":
-        yield from _beside(asset, scene[name], goal.kind)
+    elif goal.kind in (*BESIDE, "next_to"):
+        yield from _on_floor_beside(scene, asset, scene[name], goal.kind)
+
+
+def _on_floor_beside(scene: Scene, asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
+    """At a side of a thing, or of something small that stands on the floor beside it at any."""
+    if kind != "next_to" and asset.mount == "floor":
+        yield from _beside(asset, thing, kind)
+    elif kind == "next_to" and asset.mount == "surface" and thing.support == "floor":
+        for side in BESIDE:
+            yield from _beside(asset, thing, side)
 
 
 def _by_small(asset: Asset, thing: Placement) -> Iterator[Pose]:
