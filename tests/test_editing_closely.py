@@ -197,3 +197,39 @@ def test_boxes_find_room_on_the_floor_beside_a_thing() -> None:
 def test_the_lamp_of_each_of_both_goes_with_it() -> None:
     gone = {c.id for c in done(bedroom(), "Remove both nightstands and their lamps").changes}
     assert gone == {"nightstand_1", "nightstand_2", "table_lamp_1", "table_lamp_2"}
+
+
+def test_what_comes_with_what_is_given_is_at_that() -> None:
+    after = done(living(), "Give the armchair a side table with a table lamp on it").scene
+    assert after["table_lamp_1"].support == "side_table_1"
+    assert gap(after, "side_table_1", "armchair_1") < 0.5
+
+
+def test_the_ones_behind_a_comma_tell_which_of_them() -> None:
+    before = built(room(), ("stool_1", 1.5, 1.5, 0.0, "floor"), ("stool_2", 3.0, 4.3, 0.0, "floor"),
+                   ("stool_3", 5.0, 4.3, 0.0, "floor"), ("stool_4", 2.4, 1.5, 0.0, "floor"))  # fmt: skip
+    gone = {c.id for c in done(before, "Two of the stools could go, the ones nearest the door").changes}
+    assert gone == {"stool_1", "stool_4"}
+
+
+def test_large_enough_is_no_thing_that_is_added() -> None:
+    with pytest.raises(InputError, match="how large"):
+        edit_room(living(), "There should be a rug under the desk, big enough for the chairs")
+
+
+def test_where_it_stands_tells_the_place_of_what_is_moved() -> None:
+    before = built(room(), ("sideboard_1", 5.7, 1.2, 180.0, "floor"), ("sideboard_2", 0.3, 2.6, 0.0, "floor"),
+                   ("table_lamp_1", 5.7, 1.2, 0.0, "sideboard_1"), ("stool_1", 3.0, 4.0, 0.0, "floor"))  # fmt: skip
+    after = done(before, "Put the stool next to the sideboard the lamp stands on").scene
+    assert gap(after, "stool_1", "sideboard_1") < 0.5
+
+
+def test_a_thing_is_made_as_wide_as_another() -> None:
+    after = done(living(), "Make the coffee table as long as the sideboard").scene
+    assert max(after["coffee_table_1"].size[:2]) == pytest.approx(max(after["sideboard_1"].size[:2]), abs=0.02)
+
+
+def test_two_things_that_touch_come_apart_by_what_is_said() -> None:
+    before = built(room(), ("bookcase_1", 2.0, 4.75, 270.0, "floor"), ("bookcase_2", 2.93, 4.75, 270.0, "floor"))
+    edit = edit_room(before, "Move the bookcases 50 cm apart")
+    assert edit.failed or gap(edit.scene, "bookcase_1", "bookcase_2") > 0.45

@@ -324,7 +324,9 @@ def _turned_about(clause: Clause) -> Clause:
     if clause.doing != "give":
         return clause
     linked = next((n for n, t in enumerate(tokens) if t.text == "with"), None)
-    at = linked if linked is not None else next((n for n in range(1, len(tokens)) if _is_given(tokens, n)), None)
+    given = next((n for n in range(1, len(tokens)) if _is_given(tokens, n)), None)
+    linked = None if given is not None and linked is not None and given < linked else linked
+    at = linked if linked is not None else given
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
@@ -424,6 +426,9 @@ def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
     own = next((n for n, t in enumerate(rest) if t.text in ("its", "their") and _is_part(rest, n + 1)), None)
     if own is not None:
         return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
+    along = next((n for n, token in enumerate(rest) if n and token.text == "with"), None)
+    if along is not None:
+        return (*rest[:along], _TO, *whose, *rest[along:])
     if rest and rest[-1].text in ("it", "them"):
         return (*rest[:-1], *whose)
     spared = next((n for n in range(len(rest)) if _spares(rest, n)), len(rest))
@@ -523,7 +528,7 @@ def _lead_last(sentence: Sequence[Token]) -> list[Token]:
 def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
     for index in range(len(tokens)):
         found = longest("conditions", tokens, index)
-        if found is not None and found[0] == "if":
+        if found is not None and found[0] == "if" and not _compares(tokens, index):
             rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
@@ -533,6 +538,16 @@ def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
             f"'{spoken(tokens, named)}' is not an edit of its own: the last edit is taken back with --undo, or with"
             " thinkblox.undo_edit"
         )
+
+
+def _compares(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "as long as the sideboard" says how long something is to be: no verb follows it."""
+    rest = [tokens[n] for n in _within(tokens, at)]
+    words = [token.text for token in rest]
+    own = words[:3] == ["as", "long", "as"] and at > 0 and tokens[at - 1].kind == "word"
+    return own and not any(
+        grammar().at(rest, n, "verbs") is not None or rest[n].text in _AGAIN for n in range(3, len(rest))
+    )
 
 
 def _first(tokens: Sequence[Token]) -> int:
@@ -688,6 +703,7 @@ def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int)
     if subject[0].text in _NOTHING and key in ("put", "block"):
         return _Start(at, after, "free")
     if key == "have":
+        after -= last in ("a", "an", "one", "two")
         return _Start(at, after, "add", before=(), whose=subject)
     if key == "put" and last in _GONE and _ends(tokens, after):
         key = "remove"

@@ -348,7 +348,7 @@ class Nearing(Untied):
         return change >= max(wanted, 1e-3) and exact, says
 
     def _is_less_over(self, before: Scene, after: Scene, id: str) -> bool:
-        """Whether something stands less over or under the others than before, or no more at all."""
+        """Whether something stands less over or under the others than before."""
         shares = [
             sum(
                 float(scene[id].footprint.intersection(scene[name].footprint).area)
@@ -357,7 +357,7 @@ class Nearing(Untied):
             )
             for scene in (before, after)
         ]
-        return shares[1] < shares[0] or shares[1] == 0.0
+        return shares[1] < shares[0]
 
     def of(self, scene: Scene, id: str) -> float:
         """The distance now [m]."""

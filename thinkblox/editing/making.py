@@ -4,7 +4,7 @@ import dataclasses
 
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move
-from thinkblox.editing.orders import Order
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.remaking import factors, looks_of, otherwise
 from thinkblox.editing.replacing import replace_one
 from thinkblox.editing.resizing import resize
@@ -13,6 +13,8 @@ from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 
+LIKE = {"wider": "width", "longer": "length", "deeper": "depth", "higher": "height"}
+"""In what one thing is made like another, by the words for it."""
 LOWER, SLIGHT = 0.2, 0.1
 """How much lower or higher a lamp hangs where nobody says by how much, and where it is a bit [m]."""
 
@@ -74,6 +76,7 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     Raises:
         InputError: it is not said how.
     """
+    order = _as_another(work, finder, order)
     if not (order.looks or order.change or order.lengths):
         raise InputError(
             f"'{order.things[0].noun.text}' cannot be made otherwise by that: '{order.text}' names no size, colour,"
@@ -84,6 +87,27 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     for id in ids:
         _remake_one(work, id, order)
     finder.recent = list(ids)
+
+
+def _as_another(work: Work, finder: Finder, order: Order) -> Order:
+    """An order by which things are to be "as wide as the bed", with that width.
+
+    Raises:
+        InputError: it is not said in what they are to be alike, or as which of several.
+    """
+    likes = [w for phrase in order.things for w in phrase.places if w.word == "as" and w.noun is not None]
+    if not likes:
+        return order
+    ids = [id for w in likes if w.noun is not None for id in finder.ids(NounPhrase(w.noun, id=w.noun.id))]
+    axis = LIKE.get(order.change.removesuffix("="), "")
+    if len(ids) != 1 or not axis or order.lengths or order.times:
+        raise InputError(f"'{order.text}': say of one thing in what it is to be like it, such as 'as wide as the bed'")
+    deep, wide, high = work.scene[ids[0]].size
+    metres = {"width": wide, "depth": deep, "height": high}.get(axis, max(deep, wide))
+    things = [dataclasses.replace(p, places=[w for w in p.places if w not in likes]) for p in order.things]
+    return dataclasses.replace(
+        order, things=things, lengths=[(metres, axis)], change=f"{order.change.removesuffix('=')}="
+    )
 
 
 def _remake_one(work: Work, id: str, order: Order) -> None:

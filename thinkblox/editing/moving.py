@@ -417,7 +417,8 @@ def _split(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
-    if order.closer or order.direction or order.seated or order.doing == "resite":
+    apart = order.scatter and order.doing == "move"
+    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
         return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
     if directed is not None and directed > 0:
@@ -506,6 +507,8 @@ def _at_place(
     category = work.scene[id].category
     slots = slots_for(where, category, finder, count)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
+    if len(slots) > max(count, 1) and where.noun is not None and where.noun.kind == "thing" and where.noun.det == "the":
+        slots = slots[: max(count, 1)]
     if len(slots) > max(count, 1):
         raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
     there = slots[index % len(slots)]

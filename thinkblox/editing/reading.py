@@ -72,6 +72,8 @@ _SIDED = ("end", "side", "long_side", "short_side")
 _IT = ("it", "them", "this", "that", "these", "those")
 _OF_TWO = {"face to face": "face_to_face", "back to back": "back_to_back"}
 """How two things stand that are brought together so."""
+_THE_ONES = ("the one", "the ones", "those", "that")
+"""What is said to be where of what was just named."""
 _INTO = ("to", "onto", "into")
 _STANDING = ("verbs", "participles")
 """Words between a thing and what it stands on."""
@@ -387,7 +389,7 @@ class _OrderReader:
         if order.centred and order.things and not (self._places() or order.closer or order.direction):
             middle = Noun("place", "centre", 0, 0, "the middle of the room", det="the")
             order.things[-1].places.append(Where("in", middle, text="in"))
-        if self._piling and (len(order.things) > 1 or any(phrase.noun.many for phrase in order.things)):
+        if self._piling and (len(order.things) > 1 or any(map(_are_several, order.things))):
             order.lost.append(order.text.split(" ", 1)[0].lower())
 
     def _closer_around(self) -> None:
@@ -646,7 +648,14 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        if self._is_address(noun) or self._told_by_rider(noun) or self._is_each_of_new(noun):
+        if noun.kind == "thing" and noun.value == "enough":
+            raise InputError(f"'{order.text}': how large '{noun.text}' is is not said; say a size, such as '2 by 3 m'")
+        if (
+            self._is_address(noun)
+            or self._is_apposition(noun)
+            or self._told_by_rider(noun)
+            or self._is_each_of_new(noun)
+        ):
             return
         noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
@@ -663,6 +672,17 @@ class _OrderReader:
             self._excepted = phrase
         elif not self._in_mode(phrase) and not self._is_of_room(noun):
             self._thing(phrase)
+
+    def _is_apposition(self, noun: Noun) -> bool:
+        """Whether it says of what was just named which of them that are: "two of the desks, the ones by the door"."""
+        before = self._items[self._at - 2] if self._at > 1 else None
+        following = self._items[self._at] if self._at < len(self._items) else None
+        last = self.order.things[-1] if self.order.things else None
+        bare = noun.kind in ("number", "pronoun") and noun.text.lower() in _THE_ONES
+        told = isinstance(following, Connector) and following.sort == "prepositions"
+        paused = isinstance(before, Connector) and before.sort == "mark"
+        known = last is not None and last.noun.kind == "thing" and (last.noun.definite or bool(last.noun.of_known))
+        return bare and told and paused and known and last is not None and not last.places
 
     def _told_by_rider(self, noun: Noun) -> bool:
         """Take "(the table) the printer was standing on", "it stands on", by which that is told; whether it was so.
@@ -705,7 +725,9 @@ class _OrderReader:
 
     def _owner_of(self, noun: Noun) -> list[Where] | None:
         """The places of the phrase that a noun is the head of; None where it is none."""
-        return next((p.places for p in self.order.things if p.noun is noun or p.noun.text == noun.text), None)
+        held = [p.places for p in self.order.things if p.noun is noun or p.noun.text == noun.text]
+        held += [p.places for p in self.order.things if p.places and p.places[-1].noun is noun]
+        return held[0] if held else None
 
     def _in_mode(self, phrase: NounPhrase) -> bool:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
@@ -899,8 +921,13 @@ class _OrderReader:
             and last is not None
             and bare
             and (last.noun.count or 0) > 1
-            and not last.places
+            and (not last.places or self._each_follows())
         )
+
+    def _each_follows(self) -> bool:
+        """Whether a place at each of several things or sides comes next."""
+        link, noun = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        return isinstance(link, Connector) and link.sort == "prepositions" and isinstance(noun, Noun) and noun.each
 
     def _another(self, noun: Noun) -> Noun:
         """Read "and another on the shelf" as one more of what was named last."""
@@ -1598,6 +1625,10 @@ def _is_theirs(noun: Noun) -> bool:
     """Whether it belongs to what was named before: "its chairs"."""
     words = [word for word in noun.text.lower().split() if word not in ("all", "both", "of")]
     return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"], ["her"], ["his"])
+
+
+def _are_several(phrase: NounPhrase) -> bool:
+    return phrase.noun.many or (phrase.noun.kind == "pronoun" and phrase.noun.value == "them")
 
 
 def _is_it(noun: Noun) -> bool:

@@ -108,11 +108,14 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
-        told = bool(_by_what(where))
+        told = bool(_by_what(where)) or where.text in (BEARS, BORE)
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
             continue
         found = finder.matching(last)
+        if len(found) == 1 and where.text in (BEARS, BORE):
+            _named(finder, NounPhrase(last), [where], ())
+            continue
         if len(found) == 1 and _is_bare_part(where) and settled[-1].word in ("on", "in"):
             settled[-1] = dataclasses.replace(where, whole=dataclasses.replace(last, id=found[0].id))
             continue
@@ -363,7 +366,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value in ("side", "end") and noun.det == "other":
-        side = _other_side(finder, where, anchors[0])
+        side = _other_side(finder, where, anchors[0], category)
         drawn = facts_of(category).is_in("seating") and load_habits().is_in(
             finder.scene[anchors[0]].category, "tables", "desks"
         )
@@ -385,10 +388,13 @@ def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
     return dataclasses.replace(found, middle=True)
 
 
-def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
-    """The side of a thing across from that at which stands what is moved."""
+def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> RelationKind:
+    """The side of a thing across from that at which stands what is moved, or the one such thing that is there."""
     thing = finder.scene[anchor]
-    ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
+    there = [p for p in finder.scene.placements if p.category == category and p.id != anchor]
+    there = [p for p in there if any(measure(finder.scene, kind, p.id, (anchor,)).holds for kind in ("at", "next_to"))]
+    here = there[0] if finder.about not in finder.scene and len(there) == 1 else _here(finder, _text(where))
+    ahead, left = thing.to_local(here.position[:2])
     ended = where.noun is not None and where.noun.value == "end" and thing.size[0] != thing.size[1]
     if thing.size[0] > thing.size[1] if ended else abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
         return "behind" if ahead > 0 else "in_front_of"
@@ -415,6 +421,13 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
+    told = bool(noun.states) or any(word != noun.degree for word in noun.unshown)
+    if noun.value == "corner" and told and noun.det in ("a", "any", "another") and not where.negated:
+        return Bound("in_corner", _each_corner(finder, where, noun, "")[0])
+    return _place_named(where, noun, finder)
+
+
+def _place_named(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
     nearest = bool(means("nearest", noun.degree))
     told = [word for word in noun.unshown if word != noun.degree]
