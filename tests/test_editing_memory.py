@@ -100,6 +100,12 @@ def test_what_is_taken_back_is_as_if_it_was_not_said(said: str, meant: str) -> N
 def test_a_word_of_courtesy_takes_nothing_back() -> None:
     (order,) = read_instruction("Actually, move the armchair 20 cm to the north").orders
     assert (order.doing, order.direction) == ("move", "north")
+    for said in (
+        "Move the desk to the window, sorry for the trouble",
+        "Move the desk to the window, better for reading",
+    ):
+        (order,) = read_instruction(said).orders
+        assert ("to", "window") in [(w.word, w.noun and w.noun.value) for p in order.things for w in p.places], said
 
 
 def test_things_are_called_by_what_they_hold_and_whose_they_are() -> None:

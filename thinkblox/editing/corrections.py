@@ -12,6 +12,8 @@ _ENDS = (".", ";", "!", "?", "\n")
 _PAUSES = (",", "–", "—", "…", "(", ":")
 _ARTICLES = ("the", "a", "an", "my", "our", "both", "all", "every", "each", "another", "this", "that")
 _PRONOUNS = ("it", "them", "that")
+_OF_MANNERS = ("for", "about")
+"""Prepositions behind "sorry" by which nothing is taken back: "sorry for the trouble"."""
 _LIKE = ("directions", "comparatives", "absolutes", "sizes")
 """Sorts of words of the instructions' grammar, of which one corrects another."""
 
@@ -94,7 +96,7 @@ def _mended(lexicon: Lexicon, said: list[Token], anew: list[Token]) -> list[Toke
         )
         if at is not None:
             return [*said[:at], *anew, *said[at + 1 :]]
-    if _is_place(anew, 0):
+    if _is_place(anew, 0) and anew[0].text not in _OF_MANNERS:
         return _other_place(said, anew, order)
     if anew[0].text in _ARTICLES:
         return _other_thing(said, anew, order)
