@@ -749,9 +749,7 @@ def test_next_to_the_others_is_next_to_those_of_its_kind() -> None:
     assert gap(after, "bookcase_1", "bookcase_2") < 0.5
 
 
-def test_back_to_back_and_a_chair_behind_a_desk() -> None:
-    with pytest.raises(InputError, match="back to back"):
-        edit_room(living(), "Put the armchair and the sofa back to back")
+def test_a_chair_behind_a_desk_is_drawn_up_to_it() -> None:
     before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"))
     after = done(before, "Put a chair behind the desk").scene
     assert measure(after, "at", "chair_1", ("desk_1",)).holds

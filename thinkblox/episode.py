@@ -114,6 +114,7 @@ class Edited(Value, frozen=True, kw_only=True, tag_field="line", tag="edit"):
         before, after: the room; `before` is what undoing it gives back.
         rounds: every round of tries for what the instruction names.
         done, failed: what was done, and what could not be, in sentences.
+        about: ids of what it has named last, which "it" means in the next.
     """
 
     version: int = EDIT_VERSION
@@ -125,6 +126,7 @@ class Edited(Value, frozen=True, kw_only=True, tag_field="line", tag="edit"):
     rounds: tuple[Round, ...] = ()
     done: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
+    about: tuple[str, ...] = ()
 
 
 class Undone(Value, frozen=True, kw_only=True, tag_field="line", tag="undo"):

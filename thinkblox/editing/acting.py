@@ -9,8 +9,10 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
+    Amid,
     AtHead,
     BackTo,
+    BySmall,
     DrawnUp,
     Goal,
     IntoRoom,
@@ -39,6 +41,13 @@ from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
 
+def _closely(there: Bound) -> Goal | None:
+    """The goal of a place that is held more closely than prompts hold it; None of any other."""
+    if there.kind == "between" and len(there.anchors) == 2 and not there.negated:
+        return Amid("between", there.anchors)
+    return BySmall("next_to", there.anchors) if there.upon and there.kind == "next_to" else None
+
+
 def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal:
     """A relation as a goal; of several around a thing each is by it, and seats are drawn up to it."""
     if there.of_room:
@@ -55,6 +64,8 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
         return MidWall("against_wall", there.anchors)
     if there.side is not None:
         return DrawnUp("at", there.anchors, side=there.side)
+    if (closely := _closely(there)) is not None:
+        return closely
     measured: RelationKind | None = None
     if there.kind == "around":
         measured = "at" if facts_of(category).is_in("seating") else "near"
@@ -79,6 +90,7 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
     if there.kind in _ABOUT and not hung:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
+    there = replace(there, kind="in_front_of") if hung and there.kind == "on" else there
     return there, [MidOf(anchor, across=there.kind in _SIDES)]
 
 

@@ -14,7 +14,7 @@ from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.more_rows import add_rows, is_row
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
 from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_for, spot_of, told_by
@@ -49,7 +49,7 @@ def add(work: Work, finder: Finder, order: Order) -> None:
         )
         raise InputError(f"'{order.text}': {what}")
     recent: list[str] = []
-    before = bool(finder.recent)
+    before = bool(finder.recent or finder.past.about)
     _fix_it(finder, order)
     for number, phrase in enumerate(order.things):
         later = next((p.places for p in order.things[number:] if p.places), order.places)
@@ -85,7 +85,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
     places, slots = _of_those(finder, places, slots)
-    if noun.degree:
+    if noun.degree and noun.degree != SAME:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
     left = [finder.left_place(order.text)] if order.there else []
     left += [spot_of(where, "", work.start, finder) for where in spots_said]
@@ -293,7 +293,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
         size=object_size(category, noun.size),
         called=own_name(noun.called, category),
     )
-    asset = asset or _asset(work, target)
+    asset = asset or _asset(work, target, same=noun.degree == SAME)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
@@ -343,9 +343,14 @@ def _begin(scene: Scene, asset: Asset, spot: Vec2) -> Pose:
     return (x, y, max(0.0, EYE - asset.size[2] / 2)), wall.yaw
 
 
-def _asset(work: Work, target: Target) -> Asset:
+def _asset(work: Work, target: Target, *, same: bool = False) -> Asset:
     """What is added: another one like those that are there, unless something else is said of it."""
     alike = [p for p in work.scene.placements if p.category == target.category]
+    if same and not alike:
+        raise InputError(f"there is no {target.category.replace('_', ' ')} yet that another could be as large as")
+    if same:
+        made = asset_for(target, work.scene, work.source) if target.attributes else work.scene.asset_of(alike[-1])
+        return made if made.size == alike[-1].size else work.source.fit(made, alike[-1].size)
     if alike and not target.attributes and target.size == (None, None, None):
         asset = work.scene.asset_of(alike[-1])
         return asset.called(target.called) if target.called else asset

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from thinkblox.editing.grammar import longest, means
 from thinkblox.errors import InputError
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
 ENDS = (".", ";", "!", "?", "\n")
@@ -81,8 +82,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         unknown: takes what means nothing.
 
     Raises:
-        InputError: it depends on a condition, asks for an edit to be taken back or for things back to back, or says
-            only what is not to be done.
+        InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
     """
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
@@ -146,6 +146,8 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     lead, rest = list(tokens[begin:at]), without_announcements(tokens[at + 1 :])
     first, said = _first(rest), _start(lead, _first(lead), first=True) if _first(lead) < len(lead) else None
     start = _start(rest, first, first=True) if first < len(rest) else None
+    if start is None and said is not None and _is_list_of_new(lead, said, rest):
+        return [*tokens[:begin], replace(tokens[at], text="add", kind="word"), *rest]
     if start is None:
         return [*tokens[:begin], *lead, *rest]
     end = next((n for n in range(first, len(rest)) if rest[n].text in ENDS), len(rest))
@@ -158,6 +160,30 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     alone = not any(grammar().at(rest, n, "prepositions") for n in range(first, end))
     where = _place_at_end(lead) if start.doing in ("add", "put") and alone else []
     return [*tokens[:begin], *rest[:end], *where, *rest[end:]]
+
+
+def _is_list_of_new(lead: Sequence[Token], said: _Start, rest: Sequence[Token]) -> bool:
+    """Whether a colon leads from what is to be done to what is to come for it: "Set the table: a glass for each"."""
+    whole = said.doing in _NEWS and said.body < len(lead) and lead[said.body].text in ("the", "my", "our")
+    new = bool(rest) and (rest[0].text in ("a", "an", "some") or rest[0].kind == "number")
+    new = new or grammar().at(rest, 0, "count") is not None
+    return whole and new and not any(grammar().at(lead, n, "prepositions") for n in range(said.body, len(lead)))
+
+
+def without_reasons(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what somebody tells of people before the first order, which names no thing.
+
+    "We hired two more people, add two desks" is to add two desks.
+    """
+    left = list(tokens)
+    while left and means("persons", left[0].text):
+        end = next((n for n, token in enumerate(left) if token.text in (*ENDS, ",", "–")), len(left))
+        told, rest = left[:end], left[end + 1 :]
+        things = any(lexicon.longest(told, n).entry("object") is not None for n in range(len(told)))
+        if things or not rest or list(_starts(told)) or longest("dislikes", told, 0):
+            break
+        left = rest[1:] if rest[0].text in ("so", "and") else rest
+    return left
 
 
 def _place_at_end(lead: Sequence[Token]) -> list[Token]:
@@ -298,7 +324,9 @@ def _turned_about(clause: Clause) -> Clause:
     if clause.doing != "give":
         return clause
     linked = next((n for n, t in enumerate(tokens) if t.text == "with"), None)
-    at = linked if linked is not None else next((n for n in range(1, len(tokens)) if _is_given(tokens, n)), None)
+    given = next((n for n in range(1, len(tokens)) if _is_given(tokens, n)), None)
+    linked = None if given is not None and linked is not None and given < linked else linked
+    at = linked if linked is not None else given
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
@@ -315,7 +343,8 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
-        word = () if placed - _IN else (_TOGETHER,)
+        faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
+        word = () if placed - _IN or faced else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
     if clause.doing == "spread" and (over := _without(tokens, "all_over")) is not None:
         return Clause("spread", "", over, clause.text)
@@ -397,6 +426,9 @@ def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
     own = next((n for n, t in enumerate(rest) if t.text in ("its", "their") and _is_part(rest, n + 1)), None)
     if own is not None:
         return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
+    along = next((n for n, token in enumerate(rest) if n and token.text == "with"), None)
+    if along is not None:
+        return (*rest[:along], _TO, *whose, *rest[along:])
     if rest and rest[-1].text in ("it", "them"):
         return (*rest[:-1], *whose)
     spared = next((n for n in range(len(rest)) if _spares(rest, n)), len(rest))
@@ -496,21 +528,26 @@ def _lead_last(sentence: Sequence[Token]) -> list[Token]:
 def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
     for index in range(len(tokens)):
         found = longest("conditions", tokens, index)
-        if found is not None and found[0] == "if":
+        if found is not None and found[0] == "if" and not _compares(tokens, index):
             rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
-        mutual = grammar().at(tokens, index, "mutual")
-        if mutual is not None and mutual.value == "back_to_back":
-            raise InputError(
-                "how things stand 'back to back' is not followed; say of each what it is to face, and where"
-            )
     first = _first(tokens)
     if longest("undo", tokens, first) is not None:
         raise InputError(
             f"'{spoken(tokens, named)}' is not an edit of its own: the last edit is taken back with --undo, or with"
             " thinkblox.undo_edit"
         )
+
+
+def _compares(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "as long as the sideboard" says how long something is to be: no verb follows it."""
+    rest = [tokens[n] for n in _within(tokens, at)]
+    words = [token.text for token in rest]
+    own = words[:3] == ["as", "long", "as"] and at > 0 and tokens[at - 1].kind == "word"
+    return own and not any(
+        grammar().at(rest, n, "verbs") is not None or rest[n].text in _AGAIN for n in range(3, len(rest))
+    )
 
 
 def _first(tokens: Sequence[Token]) -> int:
@@ -638,6 +675,8 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         return _Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
     for index in _within(tokens, at + 1):
         found = longest("wishes", tokens, index)
+        mutual = grammar().at(tokens, index, "mutual")
+        found = None if found is not None and mutual is not None and mutual.length > found[1] + 1 else found
         if found is not None and not first and _is_list(tokens[at:index]):
             return None
         if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):
@@ -664,6 +703,7 @@ def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int)
     if subject[0].text in _NOTHING and key in ("put", "block"):
         return _Start(at, after, "free")
     if key == "have":
+        after -= last in ("a", "an", "one", "two")
         return _Start(at, after, "add", before=(), whose=subject)
     if key == "put" and last in _GONE and _ends(tokens, after):
         key = "remove"

@@ -143,7 +143,7 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
         InputError: none is there, or none stands by it.
     """
     noun = phrase.noun
-    own = noun.det == "my" and noun.text.lower().startswith(("its ", "their "))
+    own = noun.det == "my" and noun.text.lower().startswith(("its ", "their ", "her ", "his "))
     if phrase.id or noun.id or not (noun.many or own):
         return list(finder.ids(phrase, picks=(nearest_to(work.scene, id, 1),)))
     found = [p.id for p in finder.matching(noun)]

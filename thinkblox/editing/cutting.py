@@ -78,6 +78,10 @@ class ClauseCutter:
         run: list[Token] = []
         index = 0
         while index < len(tokens):
+            if [token.text for token in tokens[index : index + 3]] == ["back", "to", "back"]:
+                run += tokens[index : index + 3]
+                index += 3
+                continue
             found = self._marked(tokens, index)
             taken = 0 if found is not None else self._rank(tokens, index, run) or self._share(tokens, index)
             taken = taken or (0 if found is not None else self._nearest(tokens, index, run))

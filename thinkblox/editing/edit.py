@@ -17,7 +17,8 @@ from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.heeding import check_heeded
-from thinkblox.editing.making import make
+from thinkblox.editing.history import Past, past_of
+from thinkblox.editing.making import hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
@@ -56,6 +57,8 @@ from thinkblox.verdict import Report
 What = Literal["added", "removed", "replaced", "moved", "turned", "carried"]
 Doer = Callable[[Work, Finder, Order], None]
 _ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
+_TURNABLE = ("replace", "move", "put", "add", "make", "swap")
+"""Orders after which "keep them facing the window" says how what they were about is turned."""
 _CARRYING = ("move", "put", "turn")
 _ON_EITHER = ("remove", "replace", "make", "move", "turn")
 _RESTING = ("on", "in", "inside", "on_top", "from")
@@ -192,8 +195,9 @@ def edit_room(
         rng=np.random.default_rng((seed, 11)),
         seed=seed,
     )
-    _carry_out(work, read)
-    return _finished(work, made, read, tolerances)
+    past = past_of(made.episode.standing) if made.episode is not None else Past()
+    about = _carry_out(work, read, past)
+    return _finished(work, made, read, tolerances, about)
 
 
 def undo_edit(room: Made | str | Path) -> Edit:
@@ -293,6 +297,9 @@ def _is_there(scene: Scene, there: Bound, id: str) -> bool:
 
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
+    if hangs_down(work, finder, order):
+        hang(work, finder, order)
+        return
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if order.things and not any(known) and not order.rest:
@@ -352,6 +359,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
             raise InputError(f"'{order.text}': away from what? Say 'away from the wall'")
         remove(work, finder, order)
         return
+    if hangs_down(work, finder, order):
+        hang(work, finder, order)
+        return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and _is_more(finder, p.noun) for p in order.things]
     new = new if fetched else [False]
@@ -409,8 +419,9 @@ _DOERS: dict[str, Doer] = {
 }
 
 
-def _carry_out(work: Work, read: Instruction) -> None:
-    finder = Finder(work.scene)
+def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
+    """Do what was read; the ids of what it has named last."""
+    finder = Finder(work.scene, past=past, start=work.start)
     orders = in_turn(with_antecedents(_joined(read.orders), finder), finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
@@ -420,18 +431,38 @@ def _carry_out(work: Work, read: Instruction) -> None:
     for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
         work.order = (number, order.text)
-        finder.owners, finder.named, finder.about = [], [], ""
+        finder.owners, finder.several, finder.named, finder.about = [], [], [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _on_either(order, finder)
+        _check_back(order, finder)
         _DOERS[order.doing](work, finder, order)
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
-        finder.vacated = gone[-1] if gone else finder.vacated
+        finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
     work.failed[:] = dict.fromkeys(work.failed)
     work.failed += work.unkept()
+    return tuple(id for id in finder.recent if id in work.scene)
+
+
+def _check_back(order: Order, finder: Finder) -> None:
+    """Refuse "move it back" after an edit, which could be to where it was.
+
+    Raises:
+        InputError: it is that.
+    """
+    again = bool(order.things) and all(_is_that(phrase.noun) for phrase in order.things)
+    bare = order.doing in ("move", "put") and order.direction == "back" and not (order.lengths or order.slight)
+    if again and bare and not finder.recent and finder.past.about:
+        raise InputError(f"'{order.text}': the last edit is taken back with --undo; or say how far back, or to what")
+
+
+def _left(before: Scene, after: Scene, ids: Sequence[str]) -> Placement | None:
+    """Where the one thing that was moved stood: "move the table to the window and put the bench where it was"."""
+    moved = [id for id in ids if id in before and id in after and before[id].position != after[id].position]
+    return before[moved[0]] if len(moved) == len(ids) == 1 else None
 
 
 def _on_either(order: Order, finder: Finder) -> None:
@@ -499,8 +530,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     joined: list[Order] = []
     for order in _of_those_kept(orders):
         last = joined[-1] if joined else None
-        if last is not None and _fetches_another(last):
-            last.doing = "add"
+        _as_is_meant(last, order)
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
@@ -527,6 +557,14 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _as_is_meant(last: Order | None, order: Order) -> None:
+    """Let "but keep them facing the door" turn what was replaced, and "get another chair (and put it there)" add it."""
+    if last is not None and last.doing in _TURNABLE and _keeps_facing(order):
+        order.doing = "turn"
+    if last is not None and _fetches_another(last):
+        last.doing = "add"
 
 
 def _of_those_kept(orders: Sequence[Order]) -> list[Order]:
@@ -623,6 +661,13 @@ def _is_that(noun: Noun | None) -> bool:
     return noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them")
 
 
+def _keeps_facing(order: Order) -> bool:
+    """Whether an order keeps what was just named turned to something: "but keep them facing the window"."""
+    places = [w for phrase in order.things for w in phrase.places]
+    told = bool(order.facing or order.backs or places) and all(w.word == "facing" for w in places)
+    return order.doing == "keep" and told and bool(order.things) and all(_is_that(p.noun) for p in order.things)
+
+
 def _keeps_by_it(order: Order) -> bool:
     """Whether an order keeps things where they stand to what was just named: "keep the chairs around it"."""
     nouns = [w.noun for phrase in order.things for w in phrase.places]
@@ -632,7 +677,9 @@ def _keeps_by_it(order: Order) -> bool:
 # --- the outcome
 
 
-def _finished(work: Work, made: _Source, read: Instruction, tolerances: Tolerances | None) -> Edit:
+def _finished(
+    work: Work, made: _Source, read: Instruction, tolerances: Tolerances | None, about: tuple[str, ...]
+) -> Edit:
     scene = _in_order(work.scene, made.scene)
     report = reverify(scene, made.scene, made.report, tolerances=tolerances)
     changes = _changes(made.scene, scene)
@@ -663,6 +710,7 @@ def _finished(work: Work, made: _Source, read: Instruction, tolerances: Toleranc
         rounds=tuple(work.rounds),
         done=tuple(done),
         failed=tuple(work.failed),
+        about=about,
     )
     assets = {**episode.assets, **made.scene.assets, **work.assets, **scene.assets}
     episode = structs.replace(episode, assets=assets, edits=(*episode.edits, line))

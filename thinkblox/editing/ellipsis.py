@@ -25,6 +25,11 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         yield replace(whole, doing="make", things=[replace(p, places=[]) for p in whole.things], places=[])
         yield replace(whole, doing="put", looks=[], ruled_out=[], change="", lost=[])
         return
+    if _looks_and_more(whole):
+        known, *new = whole.things
+        yield replace(whole, doing="make", things=[known], places=[], company=[])
+        yield replace(whole, doing="put", things=new, looks=[], ruled_out=[], change="", lost=[])
+        return
     if clause.doing not in _SHARING or whole.doing not in _SHARING:
         yield whole
         return
@@ -55,6 +60,14 @@ def _looks_and_stands(order: Order) -> bool:
     known = bool(order.things) and all(phrase.noun.definite or phrase.id for phrase in order.things)
     placed = bool(order.places) or any(phrase.places for phrase in order.things)
     return order.doing == "put" and bool(order.looks) and known and placed and not order.lengths
+
+
+def _looks_and_more(order: Order) -> bool:
+    """Whether it says how one thing is to look, and what else is to be there: "the sofa in green and a lamp by it"."""
+    known = [phrase.noun.definite or bool(phrase.id) for phrase in order.things]
+    first = known[:1] == [True] and not order.things[0].places and len(known) > 1 and not any(known[1:])
+    placed = bool(order.places) or all(phrase.places for phrase in order.things[1:])
+    return order.doing == "put" and bool(order.looks) and first and placed and not order.lengths
 
 
 def _joints(clause: Clause) -> Iterator[tuple[int, int]]:

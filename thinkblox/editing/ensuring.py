@@ -10,7 +10,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.wheres import BELONGING, Bound, bound, slots_of
 from thinkblox.editing.work import Work
@@ -39,7 +39,7 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     if known and len(known) == len(order.things):
         move(work, finder, dataclasses.replace(order, doing="move"))
         return
-    compared = [p for p in order.things if p.noun.degree and not p.noun.id]
+    compared = [p for p in order.things if p.noun.degree not in ("", SAME) and not p.noun.id]
     if len(order.things) == 1 and (sides := _sides_with_some(finder, order.things[0])):
         _complete(work, finder, order, sides)
         return

@@ -10,6 +10,7 @@ from thinkblox.assets import facts_of
 from thinkblox.assets.palette import with_general
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import means, rank_of, whose
+from thinkblox.editing.history import Past
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.rows import row_of
 from thinkblox.errors import InputError
@@ -45,9 +46,12 @@ class Finder:
 
     Attributes:
         seen: from where "the left one" of several was decided, and which of several were taken, in sentences.
-        owners: what an order has named so far, for "their chairs".
+        owners: what an order has named last, for "its chairs".
+        several: what an order has named of which it says what becomes of it, for "their chairs".
         named: everything that an order has named so far, for "the other nightstand".
-        vacated: the last thing that was taken away, as it stood.
+        vacated: the last thing that was taken away, or moved by itself, as it stood.
+        past: what the edits before were about.
+        start: the room before the instruction.
         about: id of what is being moved, from which "the other side" is seen.
     """
 
@@ -56,8 +60,11 @@ class Finder:
     seen: list[str] = field(default_factory=list)
     about: str = ""
     owners: list[str] = field(default_factory=list)
+    several: list[str] = field(default_factory=list)
     named: list[str] = field(default_factory=list)
     vacated: Placement | None = None
+    past: Past = field(default_factory=Past)
+    start: Scene | None = None
 
     def ids(
         self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
@@ -110,9 +117,18 @@ class Finder:
         Raises:
             InputError: nothing has been.
         """
+        if self.vacated is None and self.past.gone is not None:
+            self.seen.append(f"the place is taken to be that of {self.past.gone.id}, of the edit before")
+            return self.past.gone
         if self.vacated is None:
             raise InputError(f"'{text}': nothing was taken away before, whose place that could be; say a place")
         return self.vacated
+
+    def left_carrier(self, id: str) -> str:
+        """What something rested on before it was moved, or rests on still; empty where nothing is known of it."""
+        now = self.scene[id].support if id in self.scene else ""
+        begun = self.start[id].support if self.start is not None and id in self.start else now
+        return begun if begun != now else self.past.carriers.get(id, now)
 
     def _is_of_others(self, noun: Noun) -> bool:
         """Whether it is "the remaining ones" of what was spoken of."""
@@ -255,6 +271,7 @@ class Finder:
             return filled
         joined = [p for p in self.scene.placements if p.category.rpartition("_")[2].endswith(word)]
         joined = [p for p in joined if not facts_of(p.category).is_in("small")]
+        joined = joined or [p for p in self.scene.placements if _is_holder_of(p.category, word)]
         says = f"'{noun.text}' is taken to be {_ids(joined)}"
         self.seen += [says] if joined and says not in self.seen else []
         return joined
@@ -284,6 +301,8 @@ class Finder:
 
     def _spoken_of(self, noun: Noun) -> tuple[str, ...]:
         if not self.recent:
+            self._recall(noun)
+        if not self.recent:
             raise InputError(f"{noun.text!r} points at nothing that was named before; name what you mean")
         if noun.det == "other":
             return self._other_of_kind(noun)
@@ -293,6 +312,12 @@ class Finder:
             alike = [p.id for p in self.scene.placements if p.category == self.scene[there[0]].category]
             there = alike if len(alike) == 2 else there
         return tuple(there[-1:] if one and len(there) > 1 else there)
+
+    def _recall(self, noun: Noun) -> None:
+        """Let a pronoun mean what the edit before was about, where this instruction has named nothing yet."""
+        self.recent = [id for id in self.past.about if id in self.scene]
+        if self.recent:
+            self.seen.append(f"'{noun.text}' is taken to be {_listed(self.recent)}, of the edit before")
 
     def _other_of_kind(self, noun: Noun) -> tuple[str, ...]:
         """Those of the kind of what was named last that were not named: "take one away and put the other there".
@@ -562,6 +587,12 @@ def _of_rows(found: Sequence[Placement]) -> list[Placement]:
     """Those of several that can form rows: of pupils' desks and one of the teacher the pupils'."""
     counts = Counter(p.category for p in found)
     return [p for p in found if counts[p.category] > 1] or list(found)
+
+
+def _is_holder_of(category: str, word: str) -> bool:
+    """Whether it is what holds such a thing, and is called by it: a sink cabinet by "the sink"."""
+    first, _, last = category.rpartition("_")
+    return bool(first) and first.split("_")[-1] == word and bool(means("holders", last))
 
 
 def _head(category: str) -> str:

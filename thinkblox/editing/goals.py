@@ -5,12 +5,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point, Polygon, unary_union
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
-from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.bearings import bearing, ground_gap
 from thinkblox.scene.free_parts import parts, takers
 from thinkblox.scene.landmarks import Landmark, things, walls
 from thinkblox.scene.placement import Placement
@@ -33,12 +33,20 @@ CENTRAL = 0.6
 """How far from the middle of the room something stands at most that is to be there [m]."""
 BESIDE_LINE = 0.3
 """How far from the line between two things something stands at most that is centred between them [m]."""
+STRAIGHT = 5.0
+"""Largest angle between a front and the way to what it looks straight at [degrees]."""
+BY_SMALL = 0.15
+"""How far from a small thing another one on the same top is at most that is next to it [m]."""
+OFF_BETWEEN = 0.1
+"""How far out of the space between two things the middle of something between them is at most [m]."""
 LEVEL = 0.2
 """How far before or behind a thing something stands at most that is beside it [m]."""
 HEAD = 0.25
 """How far behind the middle of a bed is at its head, as a part of its length."""
 BEFORE_SEAT = 0.9
 """How far from the middle of a seat what lies before it is at most [m]."""
+TOUCHES = 0.005
+"""From how far two things have a gap between them [m]."""
 LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
 AWAY = 0.1
@@ -195,6 +203,59 @@ class Midway(Related):
 
 
 @dataclass(frozen=True)
+class Amid(Related):
+    """It is between two things: its middle in the gap that is between them, and not before or beside that."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The relation, how far its middle is off the gap along the way between them, and how far beside it."""
+        held, says = super().check(before, after, id)
+        one, other = (things(after, name)[0] for name in self.anchors)
+        if one.kind != "object" or other.kind != "object":
+            return held, says
+        (ax, ay), (bx, by) = (point.coords[0] for point in nearest_points(one.footprint, other.footprint))
+        gap = math.dist((ax, ay), (bx, by))
+        beside = unary_union([one.footprint, other.footprint]).convex_hull.distance(Point(after[id].position[:2]))
+        if gap < TOUCHES:
+            return False, f"{says}; {' and '.join(self.anchors)} touch each other"
+        x, y, _ = after[id].position
+        along = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / gap
+        off = max(0.0, -along, along - gap)
+        says += f", {gap:.2f} m apart" if off else ""
+        return held and off <= EXACT and beside <= OFF_BETWEEN, says
+
+
+@dataclass(frozen=True)
+class Straight(Related):
+    """It looks straight at something, within so many degrees."""
+
+    within: float = STRAIGHT
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between its gaze and the way to that."""
+        held, says = super().check(before, after, id)
+        mark = things(after, id)[0]
+        if mark.front == "any":
+            return held, says
+        ways = [bearing(mark.centre, m.centre) for name in self.anchors for m in things(after, name)]
+        return held and min(turn_between(mark.gaze, way) for way in ways) <= self.within, says
+
+
+@dataclass(frozen=True)
+class BySmall(Related):
+    """It is next to something small on the same top, and nearer to that than to any other such thing."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is from that, and which of its kind is nearest."""
+        held, says = super().check(before, after, id)
+        anchor, mark = after[self.anchors[0]], things(after, id)[0]
+        alike = [p.id for p in after.placements if p.category == anchor.category and p.support == anchor.support]
+        away = {name: ground_gap(mark, things(after, name)[0]) for name in (*alike, anchor.id) if name != id}
+        nearest = min(away, key=lambda name: (away[name], name != anchor.id))
+        says += f"; nearer to {nearest}" if nearest != anchor.id else ""
+        return held and away[anchor.id] <= BY_SMALL and nearest == anchor.id, says
+
+
+@dataclass(frozen=True)
 class Abreast(Related):
     """It stands beside a thing and looks the same way."""
 
@@ -287,7 +348,7 @@ class Nearing(Untied):
         return change >= max(wanted, 1e-3) and exact, says
 
     def _is_less_over(self, before: Scene, after: Scene, id: str) -> bool:
-        """Whether something stands less over or under the others than before, or no more at all."""
+        """Whether something stands less over or under the others than before."""
         shares = [
             sum(
                 float(scene[id].footprint.intersection(scene[name].footprint).area)
@@ -296,7 +357,7 @@ class Nearing(Untied):
             )
             for scene in (before, after)
         ]
-        return shares[1] < shares[0] or shares[1] == 0.0
+        return shares[1] < shares[0]
 
     def of(self, scene: Scene, id: str) -> float:
         """The distance now [m]."""

@@ -33,7 +33,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "swap": ("things", "split", "company"),
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
-    "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction"),
+    "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction", "bears"),
     "free": ("things", "places", "free", "space", "room", "rest", "spared", "away"),
     "clear": ("things", "places", "room", "rest", "spared", "away"),
     "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
@@ -54,7 +54,7 @@ SAID = {
     "rest": "everything else", "away": "away", "seated": "in or out", "looks": "another look", "space": "a space",
     "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
-    "backs": "what its back is to", "abreast": "side by side",
+    "backs": "what its back is to", "bears": "what is to be on it", "abreast": "side by side",
 }  # fmt: skip
 """What a field says, in words."""
 

@@ -1,14 +1,22 @@
 """Orders that make something otherwise: the room longer, a thing larger, blue or round, a picture higher."""
 
+import dataclasses
+
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move
-from thinkblox.editing.orders import Order
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.remaking import factors, looks_of, otherwise
 from thinkblox.editing.replacing import replace_one
 from thinkblox.editing.resizing import resize
+from thinkblox.editing.spreading_under import spread_under
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
+
+LIKE = {"wider": "width", "longer": "length", "deeper": "depth", "higher": "height"}
+"""In what one thing is made like another, by the words for it."""
+LOWER, SLIGHT = 0.2, 0.1
+"""How much lower or higher a lamp hangs where nobody says by how much, and where it is a bit [m]."""
 
 
 def make(work: Work, finder: Finder, order: Order) -> None:
@@ -24,11 +32,37 @@ def make(work: Work, finder: Finder, order: Order) -> None:
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is to be made otherwise; there {finder.listed()}")
+    if order.bears:
+        spread_under(work, finder, order)
+        return
     if order.change in ("higher", "lower") and not order.looks and _hangs(work, finder, order):
         order.direction, order.change = "up" if order.change == "higher" else "down", ""
-        move(work, finder, order)
+        if hangs_down(work, finder, order):
+            hang(work, finder, order)
+        else:
+            move(work, finder, order)
         return
     _remake(work, finder, order)
+
+
+def hangs_down(work: Work, finder: Finder, order: Order) -> bool:
+    """Whether an order takes what hangs from the ceiling up or down, by which its cord becomes shorter or longer."""
+    if order.direction not in ("up", "down") or order.closer or order.apart or not order.things:
+        return False
+    if any(phrase.noun.kind not in ("thing", "pronoun", "number") for phrase in order.things):
+        return False
+    recent, seen = list(finder.recent), list(finder.seen)
+    ids = [id for phrase in order.things for id in named(finder, phrase, phrase.places)]
+    finder.recent, finder.seen = recent, seen
+    return bool(ids) and all(work.scene[id].support == "ceiling" for id in ids)
+
+
+def hang(work: Work, finder: Finder, order: Order) -> None:
+    """Let what hangs from the ceiling hang lower or higher, on a longer or a shorter cord."""
+    step = order.lengths[0][0] if order.lengths else SLIGHT if order.slight else LOWER
+    change = "larger" if order.direction == "down" else "smaller"
+    longer = dataclasses.replace(order, change=change, lengths=[(step, "height")], direction="", by=True, looks=[])
+    _remake(work, finder, longer)
 
 
 def _hangs(work: Work, finder: Finder, order: Order) -> bool:
@@ -42,6 +76,7 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     Raises:
         InputError: it is not said how.
     """
+    order = _as_another(work, finder, order)
     if not (order.looks or order.change or order.lengths):
         raise InputError(
             f"'{order.things[0].noun.text}' cannot be made otherwise by that: '{order.text}' names no size, colour,"
@@ -52,6 +87,27 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     for id in ids:
         _remake_one(work, id, order)
     finder.recent = list(ids)
+
+
+def _as_another(work: Work, finder: Finder, order: Order) -> Order:
+    """An order by which things are to be "as wide as the bed", with that width.
+
+    Raises:
+        InputError: it is not said in what they are to be alike, or as which of several.
+    """
+    likes = [w for phrase in order.things for w in phrase.places if w.word == "as" and w.noun is not None]
+    if not likes:
+        return order
+    ids = [id for w in likes if w.noun is not None for id in finder.ids(NounPhrase(w.noun, id=w.noun.id))]
+    axis = LIKE.get(order.change.removesuffix("="), "")
+    if len(ids) != 1 or not axis or order.lengths or order.times:
+        raise InputError(f"'{order.text}': say of one thing in what it is to be like it, such as 'as wide as the bed'")
+    deep, wide, high = work.scene[ids[0]].size
+    metres = {"width": wide, "depth": deep, "height": high}.get(axis, max(deep, wide))
+    things = [dataclasses.replace(p, places=[w for w in p.places if w not in likes]) for p in order.things]
+    return dataclasses.replace(
+        order, things=things, lengths=[(metres, axis)], change=f"{order.change.removesuffix('=')}="
+    )
 
 
 def _remake_one(work: Work, id: str, order: Order) -> None:

@@ -36,13 +36,17 @@ from thinkblox.editing.goals import (
     Free,
     Goal,
     IntoRoom,
+    MidOf,
     Midway,
     Nearing,
     Related,
     Spot,
 )
 from thinkblox.editing.grammar import means, sections
+from thinkblox.editing.lengthwise import beside_wall, lengthwise
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.pairing import pair_up
+from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
 from thinkblox.editing.scattering import moved_to, scatter
@@ -112,10 +116,8 @@ SLIGHT_SHARES = (0.25, 0.15, 0.35)
 
 def move(work: Work, finder: Finder, order: Order) -> None:
     """Move things to where an order says, or by as much, or nearer to or away from something."""
-    if order.together or order.scatter or order.mutual == "next_to":
-        _together(work, finder, order)
-        if order.mutual == "facing":
-            face_each_other(work, finder, dataclasses.replace(order, things=[]))
+    if order.together or order.scatter or order.mutual not in ("", "facing"):
+        _to_each_other(work, finder, order)
         return
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
@@ -147,6 +149,16 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _to_each_other(work: Work, finder: Finder, order: Order) -> None:
+    """Bring things to where they stand to each other as an order says."""
+    if order.mutual in ("face_to_face", "back_to_back"):
+        pair_up(work, finder, order)
+        return
+    _together(work, finder, order)
+    if order.mutual == "facing":
+        face_each_other(work, finder, dataclasses.replace(order, things=[]))
 
 
 def _shifted_at_once(work: Work, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]) -> bool:
@@ -405,7 +417,8 @@ def _split(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
-    if order.closer or order.direction or order.seated or order.doing == "resite":
+    apart = order.scatter and order.doing == "move"
+    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
         return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
     if directed is not None and directed > 0:
@@ -484,6 +497,9 @@ def _at_place(
         old = spot_of(where, id, work.start, finder)
         yield Spot(old.position[:2], THERE, old=old)
         return
+    if where.text in ("long_side", "short_side") and where.noun is not None:
+        yield from lengthwise(work, finder, id, where)
+        return
     if where.noun is not None and _is_any_other_corner(where, where.noun):
         yield Related("in_corner", ("corner",))
         yield Elsewhere(OTHER_CORNER)
@@ -491,6 +507,8 @@ def _at_place(
     category = work.scene[id].category
     slots = slots_for(where, category, finder, count)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
+    if len(slots) > max(count, 1) and where.noun is not None and where.noun.kind == "thing" and where.noun.det == "the":
+        slots = slots[: max(count, 1)]
     if len(slots) > max(count, 1):
         raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
     there = slots[index % len(slots)]
@@ -591,6 +609,8 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         direct = chain(
             _at_spot(work, id, goals),
             _midway(work.scene, before, goals),
+            _onto_line(work.scene, before, goals),
+            beside_wall(work.scene, work.asset_of(id), before, goals),
             _in_line(work.scene, before, goals),
             _so_far(work.scene, before, goals),
             _spots(work, id, goals),
@@ -600,6 +620,10 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
         done = _reach_beside(work, id, goals, direct)
+        if done is not None and with_room_between(
+            work, id, goals, lambda: reach_goals(work, id, goals, direct=_spots(work, id, goals)) is None
+        ):
+            done = None
     say(work, id, before, done, goals)
 
 
@@ -673,6 +697,16 @@ def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[
     for goal in (g for g in goals if isinstance(g, Midway)):
         off, way = goal.off(scene, before.position[:2])
         yield shifted(before, (-off * way[0], -off * way[1], 0.0)), before.yaw
+
+
+def _onto_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The place as it is, moved aside onto the line through the middle of a thing."""
+    for goal in (g for g in goals if isinstance(g, MidOf)):
+        mark = things(scene, goal.anchor)[0]
+        ahead, left = mark.to_local(before.position[:2])
+        off, way = (ahead, mark.yaw) if goal.across else (left, mark.yaw + 90.0)
+        x, y = math.cos(math.radians(way)), math.sin(math.radians(way))
+        yield shifted(before, (-off * x, -off * y, 0.0)), before.yaw
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

@@ -8,16 +8,26 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
-from thinkblox.editing.clauses import Clause, clauses, without_announcements
+from thinkblox.editing.clauses import Clause, clauses, without_announcements, without_reasons
+from thinkblox.editing.corrections import corrected
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
-from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import in_between, reworded, something_instead, uncontracted, with_ids, with_owners
+from thinkblox.editing.orders import BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.rewording import (
+    in_between,
+    reworded,
+    something_instead,
+    uncontracted,
+    with_heads,
+    with_ids,
+    with_owners,
+)
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
 from thinkblox.reading.english.grammar import grammar
@@ -60,7 +70,15 @@ _OF_THOSE = ("remove", "replace", "make")
 _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
 _IT = ("it", "them", "this", "that", "these", "those")
+_OF_TWO = {"face to face": "face_to_face", "back to back": "back_to_back"}
+"""How two things stand that are brought together so."""
+_THE_ONES = ("the one", "the ones", "those", "that")
+"""What is said to be where of what was just named."""
 _INTO = ("to", "onto", "into")
+_STANDING = ("verbs", "participles")
+"""Words between a thing and what it stands on."""
+_STOOD = ("was", "were", "stood", "sat", "lay", "rested", "used")
+"""Those of them that speak of before."""
 _TO_WALL = ("put", "move", "turn")
 """Orders by which a back comes to be against a wall."""
 _AREAS = ("area", "zone")
@@ -82,9 +100,9 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
-    said = something_instead(reworded(with_owners(lexicon, read)))
-    tokens = without_announcements(_without_commas(_included(in_between(said))))
+    read = corrected(lexicon, [_corrected(lexicon, token) for token in lexicon.tokens(plain)])
+    said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
+    tokens = without_reasons(lexicon, without_announcements(_without_commas(_included(in_between(said)))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -277,6 +295,7 @@ class _OrderReader:
         self._more = False
         self._up_to = False
         self._only = False
+        self._eached = False
         self._fraction = 0.0
         self._centring = bool(means("centring", words[0]))
         self._piling = bool(means("piling", words[0]))
@@ -336,6 +355,8 @@ class _OrderReader:
         if order.doing == "add" and self._is_had_by_each():
             order.doing = "ensure"
         self._along()
+        if order.doing in ("add", "put", "ensure"):
+            self._comes_along(each=self._eached)
         self._nearer_one()
         self._beside_one()
         self._looked()
@@ -368,7 +389,7 @@ class _OrderReader:
         if order.centred and order.things and not (self._places() or order.closer or order.direction):
             middle = Noun("place", "centre", 0, 0, "the middle of the room", det="the")
             order.things[-1].places.append(Where("in", middle, text="in"))
-        if self._piling and (len(order.things) > 1 or any(phrase.noun.many for phrase in order.things)):
+        if self._piling and (len(order.things) > 1 or any(map(_are_several, order.things))):
             order.lost.append(order.text.split(" ", 1)[0].lower())
 
     def _closer_around(self) -> None:
@@ -627,7 +648,14 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        if self._is_address(noun):
+        if noun.kind == "thing" and noun.value == "enough":
+            raise InputError(f"'{order.text}': how large '{noun.text}' is is not said; say a size, such as '2 by 3 m'")
+        if (
+            self._is_address(noun)
+            or self._is_apposition(noun)
+            or self._told_by_rider(noun)
+            or self._is_each_of_new(noun)
+        ):
             return
         noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
@@ -644,6 +672,62 @@ class _OrderReader:
             self._excepted = phrase
         elif not self._in_mode(phrase) and not self._is_of_room(noun):
             self._thing(phrase)
+
+    def _is_apposition(self, noun: Noun) -> bool:
+        """Whether it says of what was just named which of them that are: "two of the desks, the ones by the door"."""
+        before = self._items[self._at - 2] if self._at > 1 else None
+        following = self._items[self._at] if self._at < len(self._items) else None
+        last = self.order.things[-1] if self.order.things else None
+        bare = noun.kind in ("number", "pronoun") and noun.text.lower() in _THE_ONES
+        told = isinstance(following, Connector) and following.sort == "prepositions"
+        paused = isinstance(before, Connector) and before.sort == "mark"
+        known = last is not None and last.noun.kind == "thing" and (last.noun.definite or bool(last.noun.of_known))
+        return bare and told and paused and known and last is not None and not last.places
+
+    def _told_by_rider(self, noun: Noun) -> bool:
+        """Take "(the table) the printer was standing on", "it stands on", by which that is told; whether it was so.
+
+        Raises:
+            InputError: it is not said how the second of two things is to the first: "remove the desk the lamp".
+        """
+        before = self._items[self._at - 2] if self._at > 1 else None
+        following = self._items[self._at] if self._at < len(self._items) else None
+        if isinstance(before, Noun) and isinstance(following, Noun) and noun.text.lower() in ("that", "which"):
+            del self._items[self._at - 1]
+            self._at -= 1
+            return True
+        if not isinstance(before, Noun) or before.kind != "thing" or noun.kind not in ("thing", "pronoun"):
+            return False
+        if not (noun.definite or noun.id or _is_it(noun)) or before.det not in ("the", "my", "all", "each", "both"):
+            return False
+        at, past = self._at, False
+        while at < len(self._items):
+            verb = self._items[at]
+            if not isinstance(verb, Connector) or verb.sort not in _STANDING:
+                break
+            past |= verb.text.lower() in _STOOD
+            at += 1
+        link = self._items[at] if at < len(self._items) else None
+        after = self._items[at + 1] if at + 1 < len(self._items) else None
+        on = isinstance(link, Connector) and link.value in ("on", "in", "inside", "on_top") and at > self._at
+        if on and not isinstance(after, Noun):
+            held = self._owner_of(before)
+            if held is None:
+                return False
+            held.append(Where("with", noun, text=BORE if past else BEARS))
+            self._at = at + 1
+            return True
+        if self.order.doing == "remove" and noun.kind == "thing":
+            raise InputError(
+                f"'{self.order.text}': how '{noun.text}' is to '{before.text}' is not understood; name what is to go"
+            )
+        return False
+
+    def _owner_of(self, noun: Noun) -> list[Where] | None:
+        """The places of the phrase that a noun is the head of; None where it is none."""
+        held = [p.places for p in self.order.things if p.noun is noun or p.noun.text == noun.text]
+        held += [p.places for p in self.order.things if p.places and p.places[-1].noun is noun]
+        return held[0] if held else None
 
     def _in_mode(self, phrase: NounPhrase) -> bool:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
@@ -711,6 +795,8 @@ class _OrderReader:
                 order.places.append(where)
         elif self._mode == "instead" and order.instead and noun.word == "size" and "same" in noun.text.split():
             order.instead[-1].noun = replace(order.instead[-1].noun, degree=SAME)
+        elif noun.word == "size" and "same" in noun.text.lower().split() and (new := self._new_thing()) is not None:
+            new.degree = SAME
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
@@ -745,7 +831,7 @@ class _OrderReader:
             order.apart.append((order.lengths.pop()[0], phrase))
             self._distance, self._anchors = False, [noun]
         elif order.doing == "add" and order.things and noun.kind == "pronoun" and noun.det in ("both", "all", "each"):
-            pass
+            self._comes_along(each=True)
         elif self._is_one_of_them(noun):
             self._told_apart(noun)
         elif self._shares_out(noun):
@@ -759,6 +845,33 @@ class _OrderReader:
             self._anchors, self._former = [], self._anchors
         else:
             self._lose(noun)
+
+    def _is_each_of_new(self, noun: Noun) -> bool:
+        """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
+        new = self.order.doing in ("add", "put", "ensure") and bool(self.order.things)
+        following = self._items[self._at] if self._at < len(self._items) else None
+        linked = isinstance(following, Connector) and following.value == "with"
+        said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
+        self._eached |= said
+        return said
+
+    def _comes_along(self, *, each: bool) -> None:
+        """Read "(two desks with a chair and) a monitor each" as what comes with every one of what is added.
+
+        Where nobody says "each", what usually rests on such a thing does.
+        """
+        things = self.order.things
+        head = next((n for n, p in enumerate(things) if any(w.word == "with" for w in p.places)), None)
+        if head is None or things[head].noun.definite:
+            return
+        later, kind = things[head + 1 :], things[head].noun.value
+        new = all(p.noun.kind == "thing" and not (p.noun.definite or p.places or p.id) for p in later)
+        usual = all(
+            any(habit.kind == "on" and kind in habit.anchors for habit in load_habits().of(p.noun.value)) for p in later
+        )
+        if later and new and (each or usual):
+            things[head].places += [Where("with", p.noun, text="with") for p in later]
+            del things[head + 1 :]
 
     def _is_one_of_them(self, noun: Noun) -> bool:
         """Whether it tells how one of several new things looks: "two cushions, a red one and a blue one"."""
@@ -808,8 +921,13 @@ class _OrderReader:
             and last is not None
             and bare
             and (last.noun.count or 0) > 1
-            and not last.places
+            and (not last.places or self._each_follows())
         )
+
+    def _each_follows(self) -> bool:
+        """Whether a place at each of several things or sides comes next."""
+        link, noun = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        return isinstance(link, Connector) and link.sort == "prepositions" and isinstance(noun, Noun) and noun.each
 
     def _another(self, noun: Noun) -> Noun:
         """Read "and another on the shelf" as one more of what was named last."""
@@ -989,6 +1107,8 @@ class _OrderReader:
                 self.order.lost.append(f"not {link.text}")
                 return
             things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+        elif link.text.lower() in _OF_TWO:
+            self._of_two(_OF_TWO[link.text.lower()], link)
         elif (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
@@ -998,6 +1118,18 @@ class _OrderReader:
             self.order.abreast = True
         else:
             self._lose(link)
+
+    def _of_two(self, mutual: str, link: Connector) -> None:
+        """Read "face to face", "back to back" of two things that are moved; such things are not turned alone.
+
+        Raises:
+            InputError: the order is no such.
+        """
+        if self.order.doing not in ("move", "put"):
+            raise InputError(
+                f"'{self.order.text}': how things stand '{link.text}' is followed where two are put so; say 'put'"
+            )
+        self.order.mutual = mutual
 
     def _is_free_next(self) -> bool:
         item = self._items[self._at] if self._at < len(self._items) else None
@@ -1053,7 +1185,7 @@ class _OrderReader:
             self._without_noun(link, following)
             return
         self._narrowed()
-        if (link.value in ("with", "so") and self._is_back(following)) or self._with_all_on_it(link, following):
+        if self._with_own(link, following):
             return
         towards = link.text.lower() in ("towards", "toward")
         if self._comes_instead(link, following):
@@ -1070,6 +1202,12 @@ class _OrderReader:
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
             self._placed(self._where(link))
+
+    def _with_own(self, link: Connector, following: Noun) -> bool:
+        """Take "with its back (to it)", "with its long side along it", "with everything on it"; whether it was that."""
+        if link.value == "with" and self._with_side(following):
+            return True
+        return (link.value in ("with", "so") and self._is_back(following)) or self._with_all_on_it(link, following)
 
     def _faces_later(self) -> bool:
         """Whether what things are to face is still to come: "turn the chairs at the table towards the door"."""
@@ -1296,7 +1434,8 @@ class _OrderReader:
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1
-            where.whole = self._next_noun()
+            whole = self._next_noun()
+            where.whole = self._merged(whole) if whole is not None and whole.kind == "number" else whole
         elif self._is_side_of_it(where.noun):
             where.whole = Noun("pronoun", "it", 0, 0, "it")
         elif self._is_other_part(where.noun):
@@ -1421,14 +1560,52 @@ class _OrderReader:
         if apart and self.order.lengths and where.second is not None:
             self.order.apart.append((self.order.lengths.pop()[0], NounPhrase(where.second, id=where.second.id)))
             return
+        if said is not None and self._is_lengthwise(said, where):
+            return
         if said is not None and said.kind == "part" and said.value in (*_SIDED, *_IN_ROW, "front"):
             self.order.lost.append(f"{said.text} {where.text} {where.noun.text if where.noun else ''}".strip())
+            return
+        if self._is_borne(where):
             return
         kept_clear = said is None or said.kind in ("room", "abstract") or said.text.lower().startswith(("no", "more"))
         if kept_clear and where.noun is not None:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+    def _is_borne(self, where: Where) -> bool:
+        """Take "(make the rug bigger so that) the sofa and both armchairs are on it"; whether it was that."""
+        order = self.order
+        it = where.noun is not None and _is_it(where.noun) and where.word in ("on", "on_top") and not where.negated
+        known = bool(self._so) and all(p.noun.kind == "thing" and (p.noun.definite or p.id) for p in self._so)
+        if not (it and known and order.doing == "make" and len(order.things) == 1):
+            return False
+        order.bears += self._so
+        return True
+
+    def _with_side(self, said: Noun) -> bool:
+        """Take "with its long side along the west wall"; whether it was that."""
+        link, wall = (self._items[n] if n < len(self._items) else None for n in (self._at + 1, self._at + 2))
+        if said.kind != "part" or not isinstance(link, Connector) or not isinstance(wall, Noun):
+            return False
+        if not self._is_lengthwise(said, Where(link.value, wall, text=link.text)):
+            return False
+        self._at += 3
+        return True
+
+    def _is_lengthwise(self, said: Noun, where: Where) -> bool:
+        """Take "(so that) its long side is along the west wall" as how it comes to stand there; whether it was that."""
+        order, wall = self.order, where.noun
+        at_wall = (
+            wall is not None and wall.kind == "place" and "wall" in wall.value and where.word in (*_AT_BACK, "along")
+        )
+        if said.value not in ("long_side", "short_side") or not at_wall or order.doing not in _TO_WALL or where.negated:
+            return False
+        if len(order.things) != 1 or order.turn is not None:
+            return False
+        order.doing = "move"
+        order.things[0].places.append(replace(where, word="along", text=said.value))
+        return True
 
 
 def _of_kind(item: Item, kinds: Collection[str]) -> Item:
@@ -1447,7 +1624,11 @@ def _of_kind(item: Item, kinds: Collection[str]) -> Item:
 def _is_theirs(noun: Noun) -> bool:
     """Whether it belongs to what was named before: "its chairs"."""
     words = [word for word in noun.text.lower().split() if word not in ("all", "both", "of")]
-    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"])
+    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"], ["her"], ["his"])
+
+
+def _are_several(phrase: NounPhrase) -> bool:
+    return phrase.noun.many or (phrase.noun.kind == "pronoun" and phrase.noun.value == "them")
 
 
 def _is_it(noun: Noun) -> bool:

@@ -11,6 +11,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Goal, Region, Related, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
+from thinkblox.editing.removing import left_over
 from thinkblox.editing.wheres import bound, corner_near, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import PlaceZone, Zone, place_named, zone_of
@@ -70,6 +71,14 @@ def _rearrange(work: Work, finder: Finder, order: Order) -> None:
         _arranged(work, ids, lambda id: goals.get(id, ()), "them")
         return
     movers = [id for id in _standing(work.scene) if id not in work.kept]
+    if order.rest and order.places:
+        there = left_over(work, finder, order)
+        movers = [id for id in movers if id in there]
+        if not movers:
+            raise InputError(f"'{order.text}': nothing stands there that could be moved")
+        goals = {id: [_related(work, finder, id, w, n, 1) for w in order.places] for n, id in enumerate(movers)}
+        _arranged(work, movers, lambda id: goals.get(id, ()), "them")
+        return
     _arranged(work, movers, lambda id: (), "the room")
 
 

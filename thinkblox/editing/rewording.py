@@ -25,6 +25,8 @@ MOST_NAMED = 8
 _ARTICLES = ("the", "my", "our", "your", "this", "that", "each", "every")
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
 """After a number that is an angle or a share."""
+_AFTER_NAME = ("and", "or", "but", "too", "as", "please", "then", "around", "instead", "is", "should")
+"""After somebody's name, where what is theirs is not named: "on the teacher's"."""
 _DETERMINERS = ("a", "an", "the", "another", "some", "my", "our", "is", "it")
 """Before a thing of which a size follows: "the table 2 by 1 m", where "from table 2 by 1 m" is by how much."""
 _INTO = ("the", "a", "front", "its", "their")
@@ -95,6 +97,41 @@ def with_owners(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         the = Token("the", "the", "word", start=-1)
         left[begin:end] = [the, *left[at + 1 : end], Token("of", "of", "word", start=-1), *whole]
     return left
+
+
+def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(on every student desk and) on the teacher's" as "on the teacher's desk".
+
+    What is said to be somebody's is such a thing as was named last behind the same preposition, or last of all.
+    """
+    left = list(tokens)
+    for at in reversed(range(1, len(tokens))):
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        alone = after is None or after.kind == "mark" or after.text in _AFTER_NAME
+        alone = alone or grammar().at(tokens, at + 1, "prepositions") is not None
+        if not tokens[at].owner or not alone or tokens[at - 1].text not in _ARTICLES:
+            continue
+        link = tokens[at - 2].text if at > 1 and grammar().at(tokens, at - 2, "prepositions") is not None else ""
+        begun = [n for n in range(at - 2) if tokens[n].text == link] if link else []
+        head = _first_thing(lexicon, tokens[begun[-1] : at - 2]) if begun else _last_thing(lexicon, tokens[: at - 1])
+        if head is not None:
+            left.insert(at + 1, replace(head, text=singular(head.text), owner=False, start=-1))
+    return left
+
+
+def _first_thing(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:
+    """The last word of the first name of a thing."""
+    for at in range(len(tokens)):
+        found = lexicon.longest(list(tokens), at)
+        if found.entry("object") is not None:
+            return tokens[at + found.length - 1]
+    return None
+
+
+def _last_thing(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:
+    """The last word of the last name of a thing."""
+    found = (_first_thing(lexicon, tokens[at:]) for at in range(len(tokens) - 1, -1, -1))
+    return next((token for token in found if token is not None), None)
 
 
 def _is_thing(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> bool:

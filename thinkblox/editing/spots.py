@@ -9,7 +9,7 @@ from shapely import Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import BEFORE_SEAT, Abreast, AtHead, Goal, Laid, MidOf, OnWall, Related
+from thinkblox.editing.goals import BEFORE_SEAT, TOUCHES, Abreast, AtHead, BySmall, Goal, Laid, MidOf, OnWall, Related
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
@@ -60,11 +60,11 @@ def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Poses at what the goals name, free ones first, then the first of all, which says what is in the way."""
     for goal in goals:
         if isinstance(goal, MidOf) and asset.mount == "floor":
-            yield from _free(scene, asset, list(_on_line(scene, goal)))
+            yield from free(scene, asset, list(_on_line(scene, goal)))
         if not isinstance(goal, Related) or goal.negated or not goal.anchors:
             continue
         poses = list(_at(scene, asset, goal))
-        yield from _free(scene, asset, poses)
+        yield from free(scene, asset, poses)
         yield from poses[:1]
 
 
@@ -88,8 +88,8 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
         yield from _beside(asset, scene[name], "left_of")
         yield from _beside(asset, scene[name], "right_of")
         return
-    if isinstance(goal, OnWall) and asset.mount == "wall":
-        yield from _hanging(scene, asset, goal)
+    if isinstance(goal, OnWall | BySmall):
+        yield from _hanging(scene, asset, goal) if isinstance(goal, OnWall) else _by_small(asset, scene[name])
         return
     if goal.kind == "above" and asset.mount == "ceiling" and name in scene:
         yield (*scene[name].position[:2], scene.room.height - asset.size[2]), scene[name].yaw
@@ -101,8 +101,29 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
         yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
     elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
         yield from _on_top(scene, asset, scene[name])
-    elif goal.kind in BESIDE and asset.mount == "floor":
-        yield from _beside(asset, scene[name], goal.kind)
+    elif goal.kind in (*BESIDE, "next_to"):
+        yield from _on_floor_beside(scene, asset, scene[name], goal.kind)
+
+
+def _on_floor_beside(scene: Scene, asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
+    """At a side of a thing, or of something small that stands on the floor beside it at any."""
+    if kind != "next_to" and asset.mount == "floor":
+        yield from _beside(asset, thing, kind)
+    elif kind == "next_to" and asset.mount == "surface" and thing.support == "floor":
+        for side in BESIDE:
+            yield from _beside(asset, thing, side)
+
+
+def _by_small(asset: Asset, thing: Placement) -> Iterator[Pose]:
+    """Beside something on the same top: at its right and left first, then all the way about it."""
+    if asset.mount != "surface":
+        return
+    sides = sorted(range(0, 360, 15), key=lambda turn: (turn % 180 != 90, turn))
+    for gap in (0.02, 0.06, 0.12):
+        for turn in sides:
+            for yaw in (0.0, 90.0):
+                reach = (max(thing.size[:2]) + asset.size[0 if turn % 180 == yaw % 180 else 1]) / 2 + gap
+                yield _off(thing, float(turn), reach, 0.0, yaw, thing.position[2])
 
 
 def _at_part(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
@@ -120,6 +141,8 @@ def _at_part(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
 
 def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
     """At eye height on the walls that are named, the middle of each first."""
+    if asset.mount != "wall":
+        return
     height = round(max(0.0, min(EYE - asset.size[2] / 2, scene.room.height - asset.size[2])), 4)
     for wall in (wall for name in goal.anchors for wall in walls(scene.room, name)):
         reach = wall.length / 2 - asset.size[1] / 2
@@ -215,7 +238,20 @@ def _middle(scene: Scene, kind: str, anchors: Sequence[str]) -> Vec2 | None:
     if one is None or other is None:
         return None
     a, b = nearest_points(one.footprint, other.footprint)
-    return ((a.x + b.x) / 2, (a.y + b.y) / 2)
+    middle, gap = ((a.x + b.x) / 2, (a.y + b.y) / 2), math.dist((a.x, a.y), (b.x, b.y))
+    if one.kind != "object" or other.kind != "object" or gap < TOUCHES:
+        return middle
+    across = ((a.y - b.y) / gap, (b.x - a.x) / gap)
+    x, y = ((p + q) / 2 for p, q in zip(one.centre, other.centre, strict=True))
+    aside = (x - middle[0]) * across[0] + (y - middle[1]) * across[1]
+    return (middle[0] + aside * across[0], middle[1] + aside * across[1])
+
+
+def near_offsets(reach: float) -> list[Vec2]:
+    """Steps in every direction no further than `reach` [m], the shortest first."""
+    steps = np.arange(-reach, reach + 1e-6, STEP)
+    offsets = ((round(float(x), 3), round(float(y), 3)) for x in steps for y in steps if math.hypot(x, y) <= reach)
+    return sorted(offsets, key=lambda step: (round(math.hypot(*step), 3), step))
 
 
 def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> Iterator[Pose]:
@@ -231,7 +267,7 @@ def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> I
         for dx, dy in offsets
         for turn in turns
     ]
-    yield from _free(scene, asset, poses)
+    yield from free(scene, asset, poses)
 
 
 def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:
@@ -243,7 +279,7 @@ def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterato
             if math.dist((x, y), spot) <= reach:
                 poses.append(((round(x, 4), round(y, 4), 0.0), wall.yaw))
     poses.sort(key=lambda pose: math.dist(pose[0][:2], spot))
-    yield from _free(scene, asset, poses)
+    yield from free(scene, asset, poses)
 
 
 def _beside(asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
@@ -258,12 +294,12 @@ def _beside(asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
                 yield _off(thing, turn, away, share * wide, yaw)
 
 
-def _off(thing: Placement, turn: float, away: float, along: float, yaw: float) -> Pose:
+def _off(thing: Placement, turn: float, away: float, along: float, yaw: float, height: float = 0.0) -> Pose:
     angle = math.radians(turn)
     x, y = thing.to_room(
         (away * math.cos(angle) - along * math.sin(angle), away * math.sin(angle) + along * math.cos(angle))
     )
-    return (round(x, 4), round(y, 4), 0.0), round((thing.yaw + yaw) % 360.0, 3) % 360.0
+    return (round(x, 4), round(y, 4), height), round((thing.yaw + yaw) % 360.0, 3) % 360.0
 
 
 def _beside_opening(scene: Scene, asset: Asset, opening: Opening, kind: str) -> Iterator[Pose]:
@@ -287,7 +323,7 @@ def whole_floor(scene: Scene, asset: Asset, start: Placement) -> Iterator[Pose]:
     poses: list[Pose] = [
         ((x, y, 0.0), round((start.yaw + turn) % 360.0, 3) % 360.0) for x, y in points for turn in turns
     ]
-    yield from _free(scene, asset, poses)
+    yield from free(scene, asset, poses)
 
 
 def _seats(scene: Scene, asset: Asset, table: Placement) -> Iterator[Pose]:
@@ -305,7 +341,7 @@ def _seats(scene: Scene, asset: Asset, table: Placement) -> Iterator[Pose]:
             poses += [_at_side(table, turn, away, float(s)) for s in np.arange(-reach, reach + 1e-6, STEP)]
     if scene.asset_of(table).front == "any":
         poses += _around(asset, table)
-    yield from _free(scene, asset, poses, besides=table.id)
+    yield from free(scene, asset, poses, besides=table.id)
 
 
 def _around(asset: Asset, table: Placement) -> Iterator[Pose]:
@@ -335,11 +371,11 @@ def _before_windows(scene: Scene, asset: Asset, windows: Sequence[Opening]) -> I
             for share in SHARES:
                 x, y = wall.point(opening.offset + share * opening.width, gap + asset.size[0] / 2)
                 poses.append(((round(x, 4), round(y, 4), 0.0), wall.yaw))
-    yield from _free(scene, asset, poses)
+    yield from free(scene, asset, poses)
     yield from poses[:1]
 
 
-def _free(scene: Scene, asset: Asset, poses: Sequence[Pose], *, besides: str = "") -> Iterator[Pose]:
+def free(scene: Scene, asset: Asset, poses: Sequence[Pose], *, besides: str = "") -> Iterator[Pose]:
     """Those of the poses that look free from above."""
     if not poses:
         return

@@ -3,14 +3,19 @@
 import dataclasses
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
+
+from msgspec import structs
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, BackTo, Goal, Related, Turned
+from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, Straight, Turned
+from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.reaching import without
+from thinkblox.editing.spots import Pose, at_wall, free, near_offsets
 from thinkblox.editing.wheres import bound, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -19,13 +24,19 @@ from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import bearing
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec2
 
 TURNED = 1.5
 """How far something may be moved that is turned, besides half the difference of its sides [m]."""
+PULLED = (0.45, 0.6, 0.75, 0.9, 1.05, 1.2)
+"""How far something is pulled out from its wall where what turns with it has no room [m]."""
 SHIFTED = 0.1
 """How far it may be moved without saying so [m]."""
+ABOUT = 15.0
+"""How far past a thing something may look that is to face it and does so already [degrees]."""
 SLIGHT_TURN = 15.0
 """How far something is turned that is turned a bit [degrees]."""
 
@@ -34,6 +45,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
     seen: set[str] = set()
     order = _with_seats(gathered(work, finder, order))
+    aimed = _is_aimed(order)
     for ids, places in _turned(work, finder, order):
         ids = tuple(id for id in ids if not (order.company and facts_of(work.scene[id].category).is_in("seating")))
         for id in (i for i in ids if i not in seen):
@@ -47,15 +59,39 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
                 by = dataclasses.replace(order, sense=sense, direction="", facing=[])
                 with_company(work, finder, order, id, lambda id=id, by=by: turn_by(work, id, by))  # type: ignore[misc]
                 continue
+            if looks and order.turn is not None and (sense := _sense_met(work, id, order.turn, looks)):
+                by = dataclasses.replace(order, sense=sense, direction="", facing=[], backs=[])
+                with_company(work, finder, order, id, lambda id=id, by=by: turn_by(work, id, by))  # type: ignore[misc]
+                continue
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
-                with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks))  # type: ignore[misc]
+                with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks, aimed=aimed))  # type: ignore[misc]
             elif order.mutual != "facing":
-                with_company(work, finder, order, id, lambda id=id: turn_by(work, id, order))  # type: ignore[misc]
+                _with_room(work, finder, order, id)
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _with_room(work: Work, finder: Finder, order: Order, id: str) -> None:
+    """Turn a thing with what goes along; it is pulled out from its wall where its seats need the room behind it."""
+    before, saved, said = work.scene[id], work.saved(), (len(work.failed), len(work.notes))
+    with_company(work, finder, order, id, lambda: turn_by(work, id, order))
+    if len(work.failed) == said[0] or not (order.company and at_wall(work.scene, id)):
+        return
+    first, notes = work.failed[said[0] :], work.notes[said[1] :]
+    walls = [w for w in work.scene.room.walls if measure(work.scene, "against_wall", id, (w.name,)).holds]
+    for step in PULLED:
+        work.restore(saved)
+        del work.failed[said[0] :], work.notes[said[1] :]
+        x, y = walls[0].inward if walls else before.front
+        there = (before.position[0] + step * x, before.position[1] + step * y)
+        with_company(work, finder, order, id, lambda spot=there: turn_by(work, id, order, spot=spot))  # type: ignore[misc]
+        if len(work.failed) == said[0]:
+            return
+    work.restore(saved)
+    work.failed[said[0] :], work.notes[said[1] :] = first, notes
 
 
 def _with_seats(order: Order) -> Order:
@@ -75,6 +111,17 @@ def _way_to(work: Work, id: str, looks: Sequence[Goal]) -> int:
     here = things(work.scene, id)[0]
     off = (bearing(work.scene[id].position[:2], marks[0].centre) - here.gaze + 180.0) % 360.0 - 180.0
     return 1 if off > 0 else -1
+
+
+def _sense_met(work: Work, id: str, angle: float, looks: Sequence[Goal]) -> int:
+    """Which way round a thing has to be turned by an angle to look as it is to; 0 where neither will do."""
+    scene, old = work.scene, work.scene[id]
+    for sense in (1, -1):
+        turned = structs.replace(old, yaw=(old.yaw + sense * angle) % 360.0)
+        after = scene.without(id).with_placement(turned, scene.asset_of(old)) if not scene.riders(id) else scene
+        if id in after and after[id] != old and all(goal.check(scene, after, id)[0] for goal in looks):
+            return sense
+    return 0
 
 
 def _look(finder: Finder, where: Where, category: str) -> Goal:
@@ -113,8 +160,8 @@ def _turned(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[st
         yield work.touched(named(finder, phrase, said)), looks
 
 
-def turn_by(work: Work, id: str, order: Order) -> None:
-    """Turn one object by the angle of an order, or a quarter turn the way that it says."""
+def turn_by(work: Work, id: str, order: Order, *, spot: Vec2 | None = None) -> None:
+    """Turn one object by the angle of an order, or a quarter turn the way that it says; at a spot, if one is given."""
     before = work.scene[id]
     angle, sense = order.turn, order.sense
     if order.direction in ("left", "right"):
@@ -129,16 +176,37 @@ def turn_by(work: Work, id: str, order: Order) -> None:
     yaws = tuple(dict.fromkeys(round((before.yaw + s * angle) % 360.0, 4) % 360.0 for s in senses))
     reach = TURNED + abs(before.size[0] - before.size[1]) / 2
     goal = Turned(yaws)
-    poses = iter([(before.position, yaw) for yaw in yaws])
-    there = At(before.position[:2], reach)
-    failed = reach_goals(work, id, [goal, there], direct=poses, begin=(before.position, yaws[0]))
+    position = (*spot, before.position[2]) if spot is not None else before.position
+    poses = iter([(position, yaw) for yaw in yaws])
+    there = At(position[:2], reach if spot is None else EXACT)
+    failed = reach_goals(work, id, [goal, there], direct=poses, begin=(position, yaws[0]), search=spot is None)
     say(work, id, before, failed, [goal])
     _say_moved(work, before)
 
 
-def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
+def _is_aimed(order: Order) -> bool:
+    """Whether a verb or word says that a thing is to look straight at something: "angle the armchair towards it"."""
+    return any(means("aiming", word) for word in order.text.lower().split())
+
+
+def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False) -> None:
+    """Turn one object to what it is to face: straight to it where that is said, or where it is so only about."""
     before = work.scene[id]
-    if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+    so = all(goal.check(work.before, work.scene, id)[0] for goal in goals)
+    about = so and not all(goal.check(work.before, work.scene, id)[0] for goal in _straight(goals, ABOUT))
+    straight = _straight(goals, STRAIGHT)
+    if straight != list(goals) and (aimed or about):
+        there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
+        begun = chain(turns(work.scene, before, straight), _aimed_about(work, id, straight))
+        failed = reach_goals(work, id, [*straight, there], direct=begun)
+        if failed is None or not so:
+            say(work, id, before, failed, straight)
+            _say_moved(work, before)
+            return
+        work.notes.append(
+            f"{id} was not turned straight to {', '.join(straight[0].tie.anchors if straight[0].tie else ())}"
+        )
+    if so:
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
@@ -146,6 +214,30 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
     say(work, id, before, failed, goals)
     _say_moved(work, before)
+
+
+def _straight(goals: Sequence[Goal], within: float) -> list[Goal]:
+    """The goals with what is to be looked at straight, within so many degrees."""
+    return [
+        Straight(g.kind, g.anchors, within=within) if type(g) is Related and g.kind == "facing" and not g.negated else g
+        for g in goals
+    ]
+
+
+def _aimed_about(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Free places about where a thing stands, the nearest first, from each of which it looks straight at its mark."""
+    before, asset = work.scene[id], work.asset_of(id)
+    away = 180.0 if asset.gaze == "back" else 0.0
+    marks = [m for goal in goals if isinstance(goal, Straight) for n in goal.anchors for m in things(work.scene, n)]
+    if not marks or asset.mount != "floor":
+        return
+    x, y, z = before.position
+    mark = min(marks, key=lambda m: math.dist(m.centre, (x, y)))
+    poses: list[Pose] = []
+    for dx, dy in near_offsets(TURNED):
+        spot = (round(x + dx, 4), round(y + dy, 4))
+        poses.append(((*spot, z), round((bearing(spot, mark.centre) + away) % 360.0, 1) % 360.0))
+    yield from free(without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))]), asset, poses)
 
 
 def _say_moved(work: Work, before: Placement) -> None:

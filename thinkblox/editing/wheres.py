@@ -11,9 +11,9 @@ from shapely import Point
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
-from thinkblox.editing.goals import PartOfTop
+from thinkblox.editing.goals import Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
-from thinkblox.editing.orders import NounPhrase
+from thinkblox.editing.orders import BEARS, BORE, NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -76,6 +76,8 @@ class Bound:
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
+        if self.seat and not self.negated:
+            return id in scene and Laid("on", self.anchors, seat=self.seat).check(scene, scene, id)[0]
         return measure(scene, self.kind, id, self.anchors, negated=self.negated).holds
 
 
@@ -106,11 +108,14 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
-        told = bool(_by_what(where))
+        told = bool(_by_what(where)) or where.text in (BEARS, BORE)
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
             continue
         found = finder.matching(last)
+        if len(found) == 1 and where.text in (BEARS, BORE):
+            _named(finder, NounPhrase(last), [where], ())
+            continue
         if len(found) == 1 and _is_bare_part(where) and settled[-1].word in ("on", "in"):
             settled[-1] = dataclasses.replace(where, whole=dataclasses.replace(last, id=found[0].id))
             continue
@@ -361,7 +366,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value in ("side", "end") and noun.det == "other":
-        side = _other_side(finder, where, anchors[0])
+        side = _other_side(finder, where, anchors[0], category)
         drawn = facts_of(category).is_in("seating") and load_habits().is_in(
             finder.scene[anchors[0]].category, "tables", "desks"
         )
@@ -383,10 +388,13 @@ def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
     return dataclasses.replace(found, middle=True)
 
 
-def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
-    """The side of a thing across from that at which stands what is moved."""
+def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> RelationKind:
+    """The side of a thing across from that at which stands what is moved, or the one such thing that is there."""
     thing = finder.scene[anchor]
-    ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
+    there = [p for p in finder.scene.placements if p.category == category and p.id != anchor]
+    there = [p for p in there if any(measure(finder.scene, kind, p.id, (anchor,)).holds for kind in ("at", "next_to"))]
+    here = there[0] if finder.about not in finder.scene and len(there) == 1 else _here(finder, _text(where))
+    ahead, left = thing.to_local(here.position[:2])
     ended = where.noun is not None and where.noun.value == "end" and thing.size[0] != thing.size[1]
     if thing.size[0] > thing.size[1] if ended else abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
         return "behind" if ahead > 0 else "in_front_of"
@@ -413,6 +421,13 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
+    told = bool(noun.states) or any(word != noun.degree for word in noun.unshown)
+    if noun.value == "corner" and told and noun.det in ("a", "any", "another") and not where.negated:
+        return Bound("in_corner", _each_corner(finder, where, noun, "")[0])
+    return _place_named(where, noun, finder)
+
+
+def _place_named(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
     nearest = bool(means("nearest", noun.degree))
     told = [word for word in noun.unshown if word != noun.degree]
@@ -805,7 +820,7 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
         ids = _of_owners(finder, phrase)
         return spare(finder, ids, phrase.spared, phrase.noun)
     ids = _named(finder, phrase, said, picks)
-    finder.owners = list(ids)
+    finder.owners, finder.several = list(ids), [*finder.several, *ids]
     left = spare(finder, ids, phrase.spared, phrase.noun if phrase.noun.kind == "thing" else None)
     if ids and not left:
         raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
@@ -818,7 +833,10 @@ def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     Raises:
         InputError: nothing of the kind is at any of them, or nothing was named before.
     """
-    noun, owners = phrase.noun, [id for id in finder.owners or finder.recent if id in finder.scene]
+    noun, named_last = phrase.noun, finder.owners or finder.recent or list(finder.past.about)
+    if noun.text.lower().startswith("their ") and len(named_last) == 1 and len(finder.several) > 1:
+        named_last = finder.several
+    owners = [id for id in dict.fromkeys(named_last) if id in finder.scene]
     found = [p for p in finder.matching(noun) if p.id not in owners]
     if not found:
         raise finder.nothing(noun.text)
@@ -843,7 +861,50 @@ def _at_owners(finder: Finder, noun: Noun, owners: Sequence[str], found: Sequenc
     near = resting or [p for p in found if seated[p.id]] or [p for p in found if away[p.id] <= BELONGING]
     if not near:
         raise InputError(f"'{noun.text}': none of {', '.join(away)} is within {BELONGING:g} m of {', '.join(owners)}")
+    if not resting:
+        near = [p for p in near if _nearest_owner(finder.scene, p, owners) in owners] or near
+    if noun.det == "my" and not noun.many:
+        near = _one_each(finder, noun, owners, near)
     return tuple(p.id for p in near)
+
+
+def _nearest_owner(scene: Scene, placement: Placement, owners: Sequence[str]) -> str:
+    """Of all things of the kinds of some owners that at which something stands, or which it is nearest to."""
+    kinds = {scene[id].category for id in owners}
+    rivals = [p.id for p in scene.placements if p.category in kinds and p.id != placement.id]
+    mark = things(scene, placement.id)[0]
+    drawn = facts_of(placement.category).is_in("seating")
+
+    def rank(id: str) -> tuple[bool, float, float]:
+        seated = drawn and measure(scene, "at", placement.id, (id,)).holds
+        gap = round(ground_gap(mark, things(scene, id)[0]), 2)
+        return not seated, gap, math.dist(placement.position[:2], scene[id].position[:2])
+
+    return min(rivals, key=rank)
+
+
+def _one_each(finder: Finder, noun: Noun, owners: Sequence[str], near: Sequence[Placement]) -> list[Placement]:
+    """The one thing of each owner: "its plate", "their lamp".
+
+    Raises:
+        InputError: one of them has several that rest on it, or are as near to it.
+    """
+    scene, meant = finder.scene, list[Placement]()
+    for owner in owners:
+        own = [p for p in near if owner in scene.carriers(p.id)]
+        if len(own) > 1:
+            says = ", ".join(p.id for p in own)
+            raise InputError(f"'{noun.text}' could be {says}, which are on {owner}; say which, or 'all of them'")
+        own = own or [p for p in near if _nearest_owner(scene, p, owners) == owner]
+        mark = things(scene, owner)[0]
+        own.sort(
+            key=lambda p: (
+                round(ground_gap(things(scene, p.id)[0], mark), 2),
+                math.dist(p.position, scene[owner].position),
+            )
+        )
+        meant += [p for p in own[:1] if p not in meant]
+    return meant
 
 
 def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: Noun | None = None) -> tuple[str, ...]:
@@ -893,13 +954,8 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
-        if where.word == "of" and where.noun is not None and where.noun.kind in ("thing", "pronoun"):
-            found = [
-                finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
-            ]
-            continue
-        if where.word == "with" and where.noun is not None and where.noun.kind == "thing":
-            found = _bearing(finder, phrase, where.noun, found)
+        if (owned := _by_other(finder, phrase, where, found)) is not None:
+            found = owned
             continue
         if superlative := _by_what(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
@@ -911,6 +967,20 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     return finder.ids(phrase, picks=picks, among=found)
 
 
+def _by_other(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement] | None:
+    """Those that belong to another thing, carry it or carried it; None where a place says nothing like that."""
+    noun = where.noun
+    if noun is None or noun.kind not in ("thing", "pronoun"):
+        return None
+    if where.word == "of":
+        return [finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(noun)), found)]
+    if where.text == BORE:
+        return _carrier_before(finder, phrase, noun, found)
+    if where.word == "with" and (noun.kind == "thing" or where.text == BEARS):
+        return _bearing(finder, phrase, noun, found)
+    return None
+
+
 def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
     """Those that are somewhere, or nearly so.
 
@@ -919,6 +989,8 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
     """
     there = bound(where, found[0].category, finder)
     held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+    if there.seat and not phrase.noun.many:
+        held = [p for p in held if _nearest_owner(finder.scene, p, [there.seat]) == there.seat]
     walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
     if not held and walled and where.noun is not None and "side" in where.noun.text.lower().split():
         held = _on_that_side(finder.scene, found, there.anchors)
@@ -944,10 +1016,25 @@ def _bearing(finder: Finder, phrase: NounPhrase, noun: Noun, found: Sequence[Pla
     Raises:
         InputError: nothing of it rests on any of them.
     """
-    carriers = {id for p in finder.matching(noun) for id in finder.scene.carriers(p.id)}
+    resting = finder.ids(NounPhrase(noun)) if noun.kind == "pronoun" else [p.id for p in finder.matching(noun)]
+    carriers = {id for rider in resting for id in finder.scene.carriers(rider)}
     if bearing := [p for p in found if p.id in carriers]:
         return bearing
     raise InputError(f"there is no {phrase.noun.word} with {noun.text} on it; there {finder.listed()}")
+
+
+def _carrier_before(finder: Finder, phrase: NounPhrase, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+    """That on which something was standing before it was moved, or stands still: "the table it was standing on".
+
+    Raises:
+        InputError: it stood on none of them.
+    """
+    riders = finder.ids(NounPhrase(noun, id=noun.id))
+    stood = {id: finder.left_carrier(id) for id in riders}
+    if held := [p for p in found if p.id in stood.values()]:
+        return held
+    says = ", ".join(f"{id} stood on {carrier or 'nothing that is known'}" for id, carrier in stood.items())
+    raise InputError(f"there is no {phrase.noun.word} that {noun.text} was standing on: {says}")
 
 
 def _on_that_side(scene: Scene, found: Sequence[Placement], walls: Sequence[str]) -> list[Placement]:
