@@ -12,11 +12,13 @@ from thinkblox.given import names_given
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
 from thinkblox.scene.scene import Scene, scene_given
-from thinkblox.value import to_json
+from thinkblox.value import read_json, to_json
 from thinkblox.whole_file import check_name, check_writable
 from thinkblox.workplace import workplace
 
 _STAGES = (".usda", ".usdc")
+_OF_ROOMS = ("report.json", "trace.jsonl")
+"""What a room has that no export writes."""
 
 
 def export_file(scene: Scene, path: str | Path, *, doors: bool = False, overwrite: bool = False) -> Path:
@@ -103,10 +105,12 @@ def export_scene(
         overwrite: replace a folder that we wrote there earlier.
 
     Raises:
-        InputError: as of `save_scene`, or a flavor that none of the formats has.
+        InputError: as of `save_scene`; a flavor that none of the formats has; or `out` holds this very scene with its
+            report, which an export has none of.
     """
     scene, chosen = scene_given(scene), formats_named(flavored(names_given(formats, "formats"), flavor))
     check_folder(out, overwrite=overwrite)
+    _check_no_room_of(scene, Path(out))
     beside = asset_files(scene.assets.values())
     with whole_folder(out, overwrite=overwrite) as room:
         from thinkblox.exporters.stocktaking import inventory_of
@@ -123,3 +127,12 @@ def export_scene(
                 writing.add(f"{THUMBS}/{name}.png", picture, "picture", f"a small picture for {name}")
         writing.finish(inventory, chosen)
     return Path(out)
+
+
+def _check_no_room_of(scene: Scene, out: Path) -> None:
+    """Make sure that a scene's export takes the place of no room of it, which holds more than can be written anew."""
+    kept = [name for name in _OF_ROOMS if (out / name).is_file()]
+    if kept and read_json(out / "scene.json", Scene) == scene:
+        raise InputError(
+            f"{out}: is the room itself, and an export would take away its {', '.join(kept)}; choose another folder"
+        )

@@ -27,8 +27,8 @@ def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
     """Make sure that a room can be saved to `out`, before any work is done for it; returns its path.
 
     Raises:
-        InputError: `out` is a file, a folder that is not one of ours, or one of ours without `overwrite`; or the
-            folder it would be made in cannot be written.
+        InputError: `out` is a file, a folder that is neither empty nor one of ours, or one of ours without `overwrite`;
+            or the folder it would be made in cannot be written.
     """
     out = Path(out)
     check_name(out)
@@ -52,6 +52,8 @@ def _check_ours(out: Path, overwrite: bool) -> None:
     if not out.is_dir():
         raise InputError(f"{out}: exists and is not a folder; choose another name")
     sweep_pictures(out)
+    if _is_empty(out):
+        return
     try:
         foreign = _strangers(out)
     except InputError as error:
@@ -92,9 +94,13 @@ def _strangers(folder: Path) -> list[str]:
     return list(islice(foreign_files(folder), 3))
 
 
+def _is_empty(folder: Path) -> bool:
+    return next(folder.iterdir(), None) is None
+
+
 def _has_strangers(folder: Path) -> bool:
     try:
-        return bool(_strangers(folder))
+        return not _is_empty(folder) and bool(_strangers(folder))
     except InputError:
         return True
 

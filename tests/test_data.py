@@ -13,6 +13,7 @@ from msgspec import structs
 
 from thinkblox import InputError
 from thinkblox.chat import Chat
+from thinkblox.cli import main
 from thinkblox.episode import Episode, episode_of
 from thinkblox.free_places import free_places
 from thinkblox.generate import generate_room
@@ -222,3 +223,20 @@ def test_a_bad_row_is_named(dataset: Path) -> None:
         Episodes(dataset).case("0/0/900")
     with pytest.raises(InputError, match="is no place"):
         Episodes(dataset).case("first")
+
+
+def test_an_empty_dataset_says_why_and_its_recipe_makes_it_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "prompts.txt").write_text("Just a chair and nothing else.\n")
+    asked = ["--scenes", "1", "--prompts", str(tmp_path / "prompts.txt"), "--out", str(tmp_path / "a")]
+    assert main(["data", "build", *asked]) == 1
+    said = capsys.readouterr()
+    assert "1 rooms of fewer than 5 objects" in said.out
+    assert "nothing is in the dataset" in said.err
+    card = (tmp_path / "a" / "README.md").read_text()
+    assert "| rooms of fewer than 5 objects | 1 |" in card
+    assert "thinkblox data build --recipe recipe.json --out DIR" in card
+    again = ["--recipe", str(tmp_path / "a" / "recipe.json"), "--out", str(tmp_path / "b")]
+    assert main(["data", "build", *again]) == 1
+    assert (tmp_path / "b" / "manifest.json").read_bytes() == (tmp_path / "a" / "manifest.json").read_bytes()

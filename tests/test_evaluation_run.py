@@ -4,10 +4,12 @@ import os
 import subprocess
 import sys
 from multiprocessing import active_children
+from pathlib import Path
 
 import pytest
 
 from tests.evaluation_work import worked
+from thinkblox import InputError
 from thinkblox.cli import main
 from thinkblox.crew import work_through
 
@@ -127,3 +129,10 @@ def test_an_id_that_leads_out_of_the_folder_is_refused(tmp_path, capsys):
     assert main(["evaluate", "--annotations", str(path), "--out", str(tmp_path / "out")]) == 2
     assert "cannot name a folder" in capsys.readouterr().err
     assert not os.path.lexists(tmp_path / "escape")
+
+
+def test_a_folder_of_rooms_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    from thinkblox.evaluation.room_run import judge_rooms
+
+    with pytest.raises(InputError, match=r"nosuch: there is no such folder"):
+        judge_rooms([], tmp_path / "nosuch")

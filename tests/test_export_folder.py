@@ -16,6 +16,7 @@ from tests.textured import crate, crate_scene
 from thinkblox import workplace
 from thinkblox.errors import InputError
 from thinkblox.exporters import ExportFormat, register
+from thinkblox.exporters.exporting import export_scene
 from thinkblox.exporters.folder import _put_in_place, check_folder, whole_folder
 from thinkblox.exporters.formats import _FORMATS
 from thinkblox.exporters.inventory import Inventory
@@ -90,7 +91,7 @@ def test_ours_is_replaced_only_when_asked(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("overwrite", [False, True])
-@pytest.mark.parametrize("content", [{}, {"thesis.tex": "years of work"}, {"scene.json": "{}"}])
+@pytest.mark.parametrize("content", [{"thesis.tex": "years of work"}, {"scene.json": "{}"}])
 def test_what_is_not_ours_is_left_alone(tmp_path: Path, overwrite: bool, content: dict[str, str]) -> None:
     out = tmp_path / "mine"
     out.mkdir()
@@ -100,6 +101,31 @@ def test_what_is_not_ours_is_left_alone(tmp_path: Path, overwrite: bool, content
         save(result(), out, overwrite=overwrite)
     assert {name: (out / name).read_text() for name in names(out)} == content
     assert names(tmp_path) == ["mine"]
+
+
+@pytest.mark.parametrize("overwrite", [False, True])
+def test_an_empty_folder_is_taken(tmp_path: Path, overwrite: bool) -> None:
+    out = tmp_path / "made"
+    out.mkdir()
+    assert names(save(result(), out, overwrite=overwrite)) == WITHOUT_PICTURES
+    assert names(tmp_path) == ["made"]
+
+
+def test_an_export_takes_the_place_of_an_export_and_of_no_room(tmp_path: Path) -> None:
+    """The report and the trace of a room cannot be written anew from its scene."""
+    room = save(result(), tmp_path / "room")
+    before = names(room)
+    with pytest.raises(InputError, match=r"is the room itself, and .* away its report\.json, trace\.jsonl"):
+        export_scene(load_scene(room), room, formats=("mjcf",), overwrite=True)
+    assert names(room) == before
+    export = export_scene(load_scene(room), tmp_path / "export", formats=("mjcf",))
+    assert export_scene(load_scene(export), export, formats=("mjcf",), overwrite=True) == export
+
+
+def test_the_root_is_no_room() -> None:
+    for out in ("/", "//"):
+        with pytest.raises(InputError, match="holds other files"):
+            check_folder(out, overwrite=True)
 
 
 def test_a_room_with_a_foreign_file_in_it_is_not_replaced(tmp_path: Path) -> None:

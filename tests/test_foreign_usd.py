@@ -258,3 +258,22 @@ def test_what_other_programs_may_stumble_over_is_told(tmp_path: Path) -> None:
     (told,) = (note for note in opened(tmp_path, scene + sound.replace("0.01)", "0.5)")).notes if "stumble" in note)
     assert "/thing: has an inertia that no body can have" in told
     assert "physics scenes" not in told
+
+
+def test_a_stage_without_the_files_that_it_names_is_refused(tmp_path: Path) -> None:
+    box = prim("Xform", "box", f"{BODY}\nprepend references = @./gone.usda@</X>", cube("shape", 0.2))
+    with pytest.raises(thinkblox.InputError, match=r"without the files that it names: .*gone\.usda$"):
+        opened(tmp_path, box)
+    with pytest.raises(thinkblox.InputError, match=r"names: .*lost\.usda$"):
+        opened(tmp_path, cube("a", 0.2), HEAD.replace("(", "(\n    subLayers = [@./lost.usda@]", 1))
+
+
+def test_what_is_left_to_the_engine_is_no_fault(tmp_path: Path) -> None:
+    """No inertia and no magnitude of gravity are those of the colliders and of the earth."""
+    scene = 'def PhysicsScene "scene"\n{\n}\n' + cube("floor", 2, AT.format(0, 0, -1))
+    stands = prim("Xform", "thing", BODY, AT.format(0, 0, 0.05), "float physics:mass = 1", cube("a", 0.2))
+    notes = opened(tmp_path, scene + stands).notes
+    assert not any(word in note for note in notes for word in ("inertia", "gravity", "no floor"))
+    through = prim("Xform", "thing", BODY, AT.format(0, 0, 0), "float physics:mass = 1", cube("a", 5))
+    notes = opened(tmp_path, scene + through).notes
+    assert any(note.startswith("Nothing fixed reaches lower than thing: a floor was put") for note in notes)

@@ -113,3 +113,11 @@ def test_a_layout_of_nothing_says_so(tmp_path):
     assert read_layout(_written(tmp_path, empty)).notes == (
         "The layout has nothing in it, so there is nothing that could fail.",
     )
+
+
+def test_a_hole_in_no_wall_is_told() -> None:
+    from thinkblox.importing.holodeck import _Hole, _lacks
+
+    hole = _Hole(id="door", wall0="nope", wall1="", holePolygon=[])
+    assert _lacks(hole, {"wall"}) == "no wall nope"
+    assert _lacks(hole, {"nope"}) == "no two corners of it"

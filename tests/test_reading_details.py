@@ -759,3 +759,51 @@ def test_further_kinds_of_rooms(prompt: str, room: str) -> None:
     brief = read_brief(prompt)
     assert brief.room_type == room
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "0 chairs",
+        "zero chairs",
+        "nil chairs",
+        "nought chairs",
+        "exactly 0 chairs",
+        "at most 0 chairs",
+        "fewer than 1 chairs",
+        "chairs x 0",
+        "0x chairs",
+        "chairs: 0",
+        "chairs (0)",
+        "chairs: none",
+        "chairs: none at all",
+        "chairs: zero",
+        "no chairs: 0",
+        "number of chairs: 0",
+    ],
+)
+def test_a_count_of_nothing_bars_a_thing(said: str) -> None:
+    brief = read_brief(f"A study with a desk, {said}, and two lamps")
+    assert brief.excluded == ("chair",)
+    assert not {"chair", "office_chair"} & {request.category for request in brief.requests}
+    assert {("desk", 1), ("desk_lamp", 2)} <= {(request.category, request.count) for request in brief.requests}
+    assert not brief.unknown
+
+
+def test_a_nought_that_counts_no_thing_bars_nothing() -> None:
+    assert read_brief("A dining room with a table and 0 to 2 chairs").excluded == ()
+    assert read_brief("A desk 0 cm from the wall and a chair").excluded == ()
+    assert [opening.count for opening in read_brief("A bedroom with a bed, windows: 0").openings] == [0]
+
+
+def test_a_list_of_entries_with_their_numbers_is_no_numbered_list() -> None:
+    brief = read_brief("A study. Desk: 1. Chairs: 3. Stools: 0. Bookcases: 2.")
+    counted = {(request.category, request.count) for request in brief.requests}
+    assert {("desk", 1), ("chair", 3), ("bookcase", 2)} <= counted
+    assert brief.excluded == ("stool",)
+    listed = read_brief("On the desk: 1. a lamp. 2. a monitor.")
+    assert {(request.category, request.count) for request in listed.requests} == {
+        ("desk", 1),
+        ("desk_lamp", 1),
+        ("monitor", 1),
+    }

@@ -58,6 +58,15 @@ def test_verify_agrees_with_check(x: float, y: float, z: float) -> None:
     assert of_vase.tilt == pytest.approx(checked.tilt, rel=0.05, abs=0.01)
 
 
+def test_a_fall_that_is_not_followed_to_its_end_is_told_as_the_least() -> None:
+    """What is lost is given up; what comes to rest is measured."""
+    high, low = (World(furnished()).check([put(CRATE, 3.0, 2.0, z)], CRATE)[0] for z in (1.5, 0.05))
+    assert high.rest is None
+    assert f"fell at least {high.drop * 1000:.1f} mm" in str(high)
+    assert low.rest is not None
+    assert f"fell {low.drop * 1000:.1f} mm" in str(low)
+
+
 def test_one_bad_object_does_not_spoil_the_others() -> None:
     bad = furnished().with_placement(put(CRATE, 2.4, 2.3), CRATE)
     by_id = {v.id: v for v in verify(bad).objects}

@@ -119,6 +119,32 @@ def test_supervised_training_resumes_exactly(data: str, tmp_path: Path) -> None:
         train_sft(sft(data, cut, seed=1))
 
 
+def _files(folder: Path) -> dict[str, tuple[int, bytes]]:
+    return {str(f): (f.stat().st_mtime_ns, f.read_bytes()) for f in sorted(folder.rglob("*")) if f.is_file()}
+
+
+def test_a_finished_training_is_left_alone(data: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same command again changes nothing; a run that was stopped before its model was written writes it alone."""
+    from thinkblox.cli import main
+    from thinkblox.training.sft import train_sft
+
+    out = tmp_path / "out"
+    model = train_sft(sft(data, out, steps=2))
+    weights, before = (model / "model.safetensors").read_bytes(), _files(out)
+    assert train_sft(sft(data, out, steps=2)) == model
+    file = tmp_path / "run.yaml"
+    file.write_text(json.dumps({"sft": json.loads((out / "config.json").read_text())}))
+    assert main(["train", "sft", "--config", str(file)]) == 0
+    assert "finished before, all 2 steps; nothing was done" in capsys.readouterr().out
+    assert _files(out) == before
+    shutil.rmtree(model)
+    (out / "trainer_state.json").unlink()
+    train_sft(sft(data, out, steps=2))
+    assert (model / "model.safetensors").read_bytes() == weights
+    assert json.loads((out / "trainer_state.json").read_text())["global_step"] == 2
+    assert not (out / "checkpoint-3").exists()
+
+
 @pytest.mark.slow
 def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
     from thinkblox.policies.hf import HfModel
@@ -140,7 +166,10 @@ def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
     with stub(lambda body: "Yes", logprobs={"Yes": 0.0}) as server:
         config = structs.replace(config, soft=("align", "rules", "render"), judge=server.spec)
         trained = train_gdpo(config)
+        before = _files(tmp_path / "gdpo")
         assert len(server.seen) == 1, "nothing was there to be judged, but the judge was tried"
+    assert train_gdpo(config) == trained
+    assert _files(tmp_path / "gdpo") == before, "a finished run is left alone"
     state = json.loads((tmp_path / "gdpo" / "checkpoint-2" / "trainer_state.json").read_text())
     logged = state["log_history"][0]
     assert logged["rewards/render:stub/mean"] == 0.0, "the log says who judged"

@@ -119,7 +119,9 @@ class Verdict(Measurement, frozen=True, kw_only=True):
         drift: horizontal distance moved in the settle [m].
         drop: distance sunk in the settle [m].
         tilt: change of orientation in the settle [degrees].
-        rest: when it came to rest in the settle [s]; None when it did not, or no settle was run.
+        rest: when it came to rest in the settle [s]; None when it did not, or no settle was run. What moved by more
+            than `Physics.lost` or tilted by more than `Physics.toppled` is not followed any further: `drift`, `drop`
+            and `tilt` are then how far it had come, which is told as the least that they are.
         settled_pose: where the settle left it; None when none was run, or it did not come to rest.
         pushed: what it moved while settling, furthest first.
         swings: its own doors and drawers that do not open through all of their range, or only by pushing something
@@ -179,6 +181,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
     def _explain(self, reason: Reason) -> str:
         blocked = ", ".join(self.blocked)
         shut = ", ".join(str(swing) for swing in self.swings if swing.opens < 1.0)
+        least = "at least " if self.rest is None else ""
         texts: dict[Reason, str] = {
             "collision": "collides with "
             + ", ".join(
@@ -187,9 +190,9 @@ class Verdict(Measurement, frozen=True, kw_only=True):
             "outside": f"reaches {self.outside * 1000:.1f} mm outside the room",
             "unsupported": "nothing supports it",
             "faces_wall": "hangs with its front to the wall",
-            "drift": f"slid {self.drift * 1000:.1f} mm while settling",
-            "drop": f"fell {self.drop * 1000:.1f} mm while settling",
-            "tilt": f"tilted {self.tilt:.1f} degrees while settling",
+            "drift": f"slid {least}{self.drift * 1000:.1f} mm while settling",
+            "drop": f"fell {least}{self.drop * 1000:.1f} mm while settling",
+            "tilt": f"tilted {least}{self.tilt:.1f} degrees while settling",
             "restless": "did not come to rest",
             "riders": "what rests on it fails: " + "; ".join(str(rider) for rider in self.riders if not rider.valid),
             "pushes": "pushed "

@@ -63,8 +63,9 @@ def check_name(path: Path) -> None:
 
 
 def nearest_folder(path: Path) -> Path:
-    """The nearest thing above a path that exists."""
-    return next(parent for parent in path.absolute().parents if os.path.lexists(parent))
+    """The nearest thing above a path that exists; the root is above itself."""
+    whole = path.absolute()
+    return next((parent for parent in whole.parents if os.path.lexists(parent)), Path(whole.anchor))
 
 
 def check_writable(path: Path) -> None:

@@ -24,7 +24,7 @@ tags: [robotics, 3d, indoor scenes, physics]
 {total} steps of {scenes} rooms: what a policy is shown (`prompt`, `images`), and a reasoning and answer (`completion`)
 of which the placement was measured in MuJoCo and found valid. Made by ThinkBLOX {version}:
 
-    thinkblox data build --scenes {asked} --seed {seed} --out DIR
+    thinkblox data build --recipe recipe.json --out DIR
 
 Whole rooms belong to one split. `at` says where a row comes from: shard, episode, decision; the episodes, with every
 verdict, are in `episodes/`. Everything that decided what was made is in `recipe.json`.
@@ -39,17 +39,21 @@ def card_of(manifest: "DatasetManifest") -> str:
         files=files or "    []",
         total=sum(manifest.demonstrations.values()),
         scenes=manifest.scenes,
-        asked=manifest.recipe.scenes,
-        seed=manifest.recipe.seed,
         version=package_version(),
     )
     tables = [
         _table("Split", "steps", manifest.demonstrations),
-        _table("Left out because of", "steps or rooms", manifest.refused),
+        _table("Left out because of", "steps or rooms", left_out(manifest)),
         _table("Most common objects", "steps", _most_common(manifest.categories)),
         _table("Most common rooms", "steps", _most_common(manifest.rooms)),
     ]
     return "\n".join([head, *filter(None, tables)])
+
+
+def left_out(manifest: "DatasetManifest") -> dict[str, int]:
+    """How many steps or rooms were left out, by why, in words."""
+    few = f"rooms of fewer than {manifest.recipe.least} objects"
+    return {few if why == "rooms" else why: count for why, count in manifest.refused.items()}
 
 
 def _most_common(counts: Mapping[str, int]) -> dict[str, int]:

@@ -19,11 +19,13 @@ from thinkblox.training.picture_judge import PictureJudge
 from thinkblox.training.render_reward import RenderReward
 from thinkblox.training.rewards import REWARDS, Reward
 from thinkblox.training.rows import rows_of
-from thinkblox.training.running import common_arguments, resuming, run
+from thinkblox.training.running import common_arguments, finished, resuming, run
 
 
 def train_gdpo(config: GdpoConfig) -> Path:
     """Train a model on what is measured of its own answers; goes on from the last checkpoint in `config.out`.
+
+    Where the last update is done and the model written, nothing is done.
 
     Returns:
         The folder of the trained model, which `hf:` loads.
@@ -32,6 +34,8 @@ def train_gdpo(config: GdpoConfig) -> Path:
         InputError: the configuration, the dataset, the model or the judge cannot be used; said before anything is
             trained. Or the judge is gone later on; the checkpoints stay.
     """
+    if (done := finished(config)) is not None:
+        return done
     judge = None if config.judge is None else PictureJudge(config.judge)
     if judge is not None:
         judge.check()

@@ -4,7 +4,9 @@ from pathlib import Path
 from typing import Any
 
 from thinkblox.errors import InputError
+from thinkblox.policies.hf import SIGHT
 from thinkblox.training.config import Training
+from thinkblox.training.models import MODEL
 from thinkblox.value import to_json
 from thinkblox.whole_file import write_whole
 
@@ -56,21 +58,52 @@ def resuming(trainer_class: Any) -> Any:
     return ResumingTrainer
 
 
+def finished(config: Training) -> Path | None:
+    """The folder of the trained model, where this very run came to its end; None where there is something to do.
+
+    Raises:
+        InputError: the folder holds a run of another configuration.
+    """
+    last = _last_checkpoint(config)
+    model = Path(config.out) / MODEL
+    return model if last is not None and _step(last) >= config.steps and (model / SIGHT).is_file() else None
+
+
 def run(trainer: Any, config: Training) -> None:
     """Train to the end, from the last checkpoint of the same configuration where there is one; keep the log.
 
     Raises:
         InputError: the folder holds a run of another configuration.
     """
+    out, last = Path(config.out), _last_checkpoint(config)
+    if last is not None and _step(last) >= config.steps:
+        _take_up(trainer, last)
+    else:
+        if trainer.accelerator.is_main_process:
+            out.mkdir(parents=True, exist_ok=True)
+            write_whole(out / CONFIG, to_json(config))
+        trainer.train(resume_from_checkpoint=None if last is None else str(last))
+    trainer.save_state()
+
+
+def _last_checkpoint(config: Training) -> Path | None:
     from transformers.trainer_utils import get_last_checkpoint
 
     out = Path(config.out)
-    said, file = to_json(config), out / CONFIG
     last = get_last_checkpoint(str(out)) if out.is_dir() else None
-    if last is not None and (not file.is_file() or file.read_bytes() != said):
+    file = out / CONFIG
+    if last is not None and (not file.is_file() or file.read_bytes() != to_json(config)):
         raise InputError(f"{out}: holds checkpoints of another configuration; choose another folder for this run")
-    if trainer.accelerator.is_main_process:
-        out.mkdir(parents=True, exist_ok=True)
-        write_whole(file, said)
-    trainer.train(resume_from_checkpoint=last)
-    trainer.save_state()
+    return None if last is None else Path(last)
+
+
+def _step(checkpoint: Path) -> int:
+    return int(checkpoint.name.rpartition("-")[2])
+
+
+def _take_up(trainer: Any, checkpoint: Path) -> None:
+    """The weights and the log of the last update: a trainer that goes on from there would make another one."""
+    from transformers import TrainerState
+
+    trainer._load_from_checkpoint(str(checkpoint))
+    trainer.state = TrainerState.load_from_json(str(checkpoint / "trainer_state.json"))

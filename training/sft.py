@@ -7,11 +7,13 @@ from typing import Any
 from thinkblox.training.config import SftConfig, section
 from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.rows import rows_of
-from thinkblox.training.running import common_arguments, resuming, run
+from thinkblox.training.running import common_arguments, finished, resuming, run
 
 
 def train_sft(config: SftConfig) -> Path:
     """Train a model to say what the demonstrations say; goes on from the last checkpoint in `config.out`.
+
+    Where the last update is done and the model written, nothing is done.
 
     Returns:
         The folder of the trained model, which `hf:` loads.
@@ -19,6 +21,8 @@ def train_sft(config: SftConfig) -> Path:
     Raises:
         InputError: the configuration, the dataset or the model cannot be used; said before anything is trained.
     """
+    if (done := finished(config)) is not None:
+        return done
     rows = rows_of(config.data, "train")
     start = starting_model(config)
     trainer = sft_trainer(config, start.model, start.processor, rows)

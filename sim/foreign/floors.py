@@ -47,11 +47,15 @@ def needed_floor(model: mujoco.MjModel, data: mujoco.MjData, things: tuple[Thing
     if not free or not len(geoms) or np.isin(model.geom_type[geoms], _OPEN).any():
         return None
     low, high, bodies = *_bounds(model, data, geoms), model.geom_bodyid[geoms]
-    falling = [thing.id for thing in free if _over_nothing(np.isin(bodies, thing.bodies), low, high)]
-    if not falling:
+    over_nothing = [thing for thing in free if _over_nothing(np.isin(bodies, thing.bodies), low, high)]
+    if not over_nothing:
         return None
-    height = float(low[:, 2].min())
-    lacks = "The model has no floor" if len(falling) == len(free) else f"Nothing is under {listed(falling)}"
+    height, falling = float(low[:, 2].min()), listed([thing.id for thing in over_nothing])
+    movable = [body for thing in free for body in thing.bodies]
+    if _are_over(~np.isin(bodies, movable), [np.isin(bodies, thing.bodies) for thing in over_nothing], low, high):
+        lacks = f"Nothing fixed reaches lower than {falling}"
+    else:
+        lacks = "The model has no floor" if len(over_nothing) == len(free) else f"Nothing is under {falling}"
     return NeededFloor(height, f"{lacks}: a floor was put under the model's lowest point, at z = {height:.3f} m.")
 
 
@@ -59,9 +63,20 @@ def _over_nothing(mine: NDArray[np.bool_], low: Floats, high: Floats) -> bool:
     """Whether no geom that is not among these reaches lower than they do, within the rectangle round them."""
     if not mine.any():
         return False
-    (x0, y0, bottom), (x1, y1, _) = low[mine].min(axis=0), high[mine].max(axis=0)
-    within = (low[:, 0] <= x1) & (high[:, 0] >= x0) & (low[:, 1] <= y1) & (high[:, 1] >= y0)
-    return not bool((~mine & within & (low[:, 2] < bottom)).any())
+    bottom = low[mine, 2].min()
+    return not bool((~mine & _within(mine, low, high) & (low[:, 2] < bottom)).any())
+
+
+def _are_over(fixed: NDArray[np.bool_], falling: list[NDArray[np.bool_]], low: Floats, high: Floats) -> bool:
+    """Whether something fixed is within the rectangles round all of these, which then reach through it."""
+    return all((fixed & _within(mine, low, high)).any() for mine in falling)
+
+
+def _within(mine: NDArray[np.bool_], low: Floats, high: Floats) -> NDArray[np.bool_]:
+    """Which geoms are within the rectangle round these."""
+    (x0, y0, _), (x1, y1, _) = low[mine].min(axis=0), high[mine].max(axis=0)
+    inside: NDArray[np.bool_] = (low[:, 0] <= x1) & (high[:, 0] >= x0) & (low[:, 1] <= y1) & (high[:, 1] >= y0)
+    return inside
 
 
 def _bounds(model: mujoco.MjModel, data: mujoco.MjData, geoms: NDArray[np.int64]) -> tuple[Floats, Floats]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
-from pxr import Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
+from pxr import Pcp, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
 
 from thinkblox.errors import InputError
 from thinkblox.sim.build import COLLISION, COLLISION_GROUP, ROLL, TORSION, VISUAL, new_spec
@@ -29,6 +29,8 @@ EARTH = -Physics().gravity[2]
 """Gravity where a stage says none [m/s2]."""
 _SAID = re.compile(r" : '(.*?)'(?= Error in |$)")
 """What is wrong, in a message of OpenUSD's that also says where in its own code."""
+_NAMED = re.compile(r"@(.+?)@")
+"""The first file that a message of OpenUSD's names."""
 _ROOM = "room"
 """The label of what the colliders of the world itself are under."""
 
@@ -45,7 +47,8 @@ def usd_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec, 
         folder: what no layer may lie outside of; the file's own folder unless told otherwise.
 
     Raises:
-        InputError: it cannot be opened; a layer lies outside the folder; or a part of it makes no sense, which is told.
+        InputError: it cannot be opened; a layer or a reference is missing, or lies outside the folder; or a part of it
+            makes no sense, which is told.
     """
     stage = _opened(path, (folder or path.parent).resolve())
     try:
@@ -87,11 +90,21 @@ def _opened(path: Path, folder: Path) -> Any:
         real = layer.realPath.partition("[")[0]
         if real and not Path(real).resolve().is_relative_to(folder):
             raise InputError(f"{path}: names {layer.identifier}, which is outside the folder; it is not read")
+    if missing := _missing(stage):
+        raise InputError(f"{path}: cannot be read without the files that it names: {listed(missing)}")
     units = {"metres": UsdGeom.GetStageMetersPerUnit(stage), "kilograms": UsdPhysics.GetStageKilogramsPerUnit(stage)}
     for name, size in units.items():
         if not 1e-6 <= size <= 1e6:
             raise InputError(f"{path}: has {size:g} {name} a unit; between 1e-06 and 1e+06 are read")
     return stage
+
+
+def _missing(stage: Any) -> list[str]:
+    """The layers and references that a stage is made of and that are not there."""
+    kinds = (Pcp.ErrorType_InvalidAssetPath, Pcp.ErrorType_InvalidSublayerPath)
+    said = (str(error) for error in stage.GetCompositionErrors() if error.errorType in kinds)
+    named = ((text, _NAMED.search(text)) for text in said)
+    return sorted({text if file is None else file[1] for text, file in named})
 
 
 class _Stage:

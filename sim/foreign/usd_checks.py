@@ -66,8 +66,9 @@ def _scenes(prims: list[Any]) -> Iterator[str]:
     if len(scenes) != 1:
         yield f"the stage: has {len(scenes)} physics scenes; it needs exactly one."
     for scene in scenes:
-        if not 0.0 <= number_of(scene.GetGravityMagnitudeAttr(), -np.inf) < np.inf:
-            yield f"{scene.GetPath()}: says no magnitude of gravity."
+        # One below 0, as it is where nothing is said, asks for that of the earth.
+        if not number_of(scene.GetGravityMagnitudeAttr(), -np.inf) < np.inf:
+            yield f"{scene.GetPath()}: has a magnitude of gravity that is not finite."
 
 
 def _ends(prim: Any) -> list[Any]:
@@ -92,6 +93,8 @@ def _body(prim: Any, frames: Frames, joined: Container[Any]) -> Iterator[str]:
         yield f"{path}: is a body without a mass above 0."
         return
     inertia = np.sort(numbers_of(mass.GetDiagonalInertiaAttr(), (0.0, 0.0, 0.0)))
+    if not inertia.any():
+        return  # it is left to the engine, from the colliders
     if not (np.isfinite(inertia).all() and inertia[0] > 0.0):
         yield f"{path}: has an inertia that is not above 0."
     elif inertia[2] > (inertia[0] + inertia[1]) * (1.0 + _TRIANGLE):

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from thinkblox.training.shard import ShardCount
 
 STATUS = (
-    "exit status: 0 made; 2 the input cannot be used; 70 a fault of ours or of the system, what is done stays; 130"
-    " stopped, what is done stays: the same command goes on from there"
+    "exit status: 0 made; 1 made, and nothing is in it; 2 the input cannot be used; 70 a fault of ours or of the"
+    " system, what is done stays; 130 stopped, what is done stays: the same command goes on from there"
 )
 
 
@@ -29,6 +29,7 @@ def add_command(commands: "Commands") -> None:
         "--out", metavar="DIR", type=Path, required=True, help="folder of the dataset; resumed if begun"
     )
     parser.add_argument("--config", metavar="FILE", type=Path, help="take the section `data` of this configuration")
+    parser.add_argument("--recipe", metavar="FILE", type=Path, help="make it by the recipe.json of another dataset")
     parser.add_argument("--scenes", metavar="N", type=_scenes, help="rooms, one prompt each")
     parser.add_argument("--seed", metavar="N", type=natural, help="the same seed gives the same bytes (0)")
     parser.add_argument("--order", choices=("plan", "size", "random"), help="in which objects are placed (plan)")
@@ -50,6 +51,7 @@ def _workers(text: str) -> int:
 
 def _build(arguments: argparse.Namespace) -> int:
     from thinkblox.training.building import build
+    from thinkblox.training.card import left_out
     from thinkblox.value import to_json
 
     def tell(count: "ShardCount", done: int, total: int) -> None:
@@ -63,10 +65,13 @@ def _build(arguments: argparse.Namespace) -> int:
         write_json(to_json(manifest))
     else:
         steps = ", ".join(f"{count} {split}" for split, count in manifest.demonstrations.items())
-        left = ", ".join(f"{count} {why}" for why, count in manifest.refused.items())
+        left = ", ".join(f"{count} {why}" for why, count in left_out(manifest).items())
         say(f"{sum(manifest.demonstrations.values())} steps of {manifest.scenes} rooms: {steps}")
         say(f"left out: {left or 'nothing'}")
         say(f"written to {arguments.out}")
+    if not any(manifest.demonstrations.values()):
+        print("thinkblox: nothing is in the dataset: every step was left out, for what is said above", file=sys.stderr)
+        return 1
     return 0
 
 
@@ -75,18 +80,23 @@ def _recipe(arguments: argparse.Namespace) -> "Recipe":
 
     from thinkblox.errors import InputError
     from thinkblox.training.recipe import Recipe
+    from thinkblox.value import read_json
 
     said = {name: getattr(arguments, name) for name in ("scenes", "seed", "order")}
     said = {name: value for name, value in said.items() if value is not None}
     if arguments.prompts is not None:
         said["prompts"] = _lines(arguments.prompts)
+    if arguments.recipe is not None:
+        if arguments.config is not None:
+            raise InputError("--recipe and --config both say what is made; give one of them")
+        return structs.replace(read_json(arguments.recipe, Recipe), **said)
     if arguments.config is not None:
         from thinkblox.training.config import section
 
         base: Recipe = section(arguments.config, "data")
         return structs.replace(base, **said)
     if arguments.scenes is None:
-        raise InputError("how many rooms? Give --scenes N, or --config FILE with a section `data`")
+        raise InputError("how many rooms? Give --scenes N, --recipe FILE, or --config FILE with a section `data`")
     return Recipe(**said)
 
 

@@ -75,8 +75,12 @@ def _report(arguments: argparse.Namespace) -> int:
 
 def _train(arguments: argparse.Namespace) -> int:
     from thinkblox.training.config import section
+    from thinkblox.training.running import finished
 
     config = section(arguments.config, arguments.way)
+    if (done := finished(config)) is not None:
+        say(f"finished before, all {config.steps} steps; nothing was done; the model is in {done}")
+        return 0
     if arguments.way == "sft":
         from thinkblox.training.sft import train_sft
 

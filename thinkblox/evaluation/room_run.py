@@ -64,9 +64,11 @@ def judge_rooms(annotations: Sequence[Annotation], rooms: Path, *, jobs: int = 1
     """Judge the rooms in `rooms`, each in the folder that its prompt's id names; a missing one counts as refused.
 
     Raises:
-        InputError: an id that cannot be the name of a folder.
+        InputError: there is no such folder, or an id that cannot be the name of one in it.
     """
     _check_names(annotations)
+    if not rooms.is_dir():
+        raise InputError(f"{rooms}: there is no such folder")
     return _judgements([_Task(a, None, rooms / a.id) for a in annotations], jobs, GRACE)
 
 

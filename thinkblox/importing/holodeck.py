@@ -23,7 +23,7 @@ twice the height of the middle. objathor's own .pkl.gz files are never opened: a
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from typing import Annotated, Any, Literal
 
 from msgspec import Meta
@@ -124,7 +124,7 @@ def read_holodeck(document: Document, library: Library, *, room: str | None = No
         ),
         items=items,
         prompt=house.query,
-        notes=(*other, *sizes.notes()),
+        notes=(*other, *_lost_holes(house), *sizes.notes()),
     )
 
 
@@ -223,6 +223,24 @@ def _holes(house: _House, room: str) -> tuple[Hole, ...]:
             if made:
                 found.append(made)
     return tuple(found)
+
+
+def _lost_holes(house: _House) -> tuple[str, ...]:
+    """Notes on doors and windows of which nobody can say in which wall they are, or how large."""
+    walls = {wall.id for wall in house.walls}
+    return tuple(
+        f"The {kind} {hole.id} is left out, as the layout has {why}."
+        for kind, holes in (("door", house.doors), ("window", house.windows))
+        for hole in holes
+        if (why := _lacks(hole, walls))
+    )
+
+
+def _lacks(hole: _Hole, walls: Container[str]) -> str:
+    named = [id for id in (hole.wall0, hole.wall1) if id]
+    if not any(id in walls for id in named):
+        return f"no wall {' or '.join(named)}" if named else "no wall for it"
+    return "no two corners of it" if len(hole.holePolygon) < 2 else ""
 
 
 def _hole(hole: _Hole, walls: Mapping[str, _Wall], room: str, kind: Literal["door", "window"], at: str) -> Hole | None:

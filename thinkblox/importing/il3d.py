@@ -76,16 +76,18 @@ def read_il3d(document: Document, library: Library) -> LayoutDraft:
     layout = document.typed(_Layout)
     at, floor = _floor(document, layout)
     corners = _corners(document, floor, at)
-    items, seen = [], set[str]()
+    items, seen, doubled = [], set[str](), []
     for index, (where, label, thing) in enumerate(_objects(document, layout)):
         name = thing.object_name or f"{label}_{index}"
-        name = f"{name}_{index}" if name in seen else name
+        if name in seen:
+            name, told = f"{name}_{index}", name
+            doubled.append(f"The layout has more than one {told}: that of number {index} is called {name}.")
         seen.add(name)
         items.append(_item(document, where, name, label, thing, library))
     return LayoutDraft(
         outline=RoomOutline(corners=corners, level=min(y for _, y, _ in floor.xyz), at=at),
         items=tuple(items),
-        notes=("The layout has neither a room height, nor doors, nor windows.",),
+        notes=("The layout has neither a room height, nor doors, nor windows.", *doubled),
     )
 
 

@@ -17,6 +17,7 @@ from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
@@ -70,6 +71,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
     for rewritten in (
+        with_noughts,
         with_booths,
         with_laid,
         with_doings,

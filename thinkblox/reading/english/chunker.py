@@ -239,7 +239,18 @@ class Cutter:
         begins = last is None or (isinstance(last, Connector) and last.value in _ITEM_ENDS)
         if not begins or self.at + 2 >= len(self.tokens) or (mark != ")" and (mark != "." or token.kind != "number")):
             return False
-        return token.kind == "number" or (len(token.text) == 1 and token.text.isalpha())
+        return not self._counts_what_is_told() and (
+            token.kind == "number" or (len(token.text) == 1 and token.text.isalpha())
+        )
+
+    def _counts_what_is_told(self) -> bool:
+        """Whether "2." ends the entry of a thing, after which another one or nothing comes: "Desk: 1. Chairs: 2."."""
+        entry = [*self.made[-2:]]
+        if [getattr(chunk, "kind", getattr(chunk, "value", "")) for chunk in entry] != ["thing", "colon"]:
+            return False
+        rest = [token.text for token in self.tokens[self.at + 2 :]]
+        ends = next((at for at, text in enumerate(rest) if text in (".", "\n")), len(rest))
+        return not rest or ":" in rest[:ends]
 
     def _is_item(self) -> bool:
         """Whether "(a)", "(2)" numbers what is listed."""
