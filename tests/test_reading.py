@@ -155,7 +155,7 @@ OWN = {
     ),
     "A library with a reading table with eight chairs around it, and a globe on the table.": (
         "1 dining_table, 8 chair, 1 globe, 4 bookcase, 2 table_lamp, 1 desk, 1 computer, 1 monitor, 1 keyboard",
-        "chair around dining_table, globe on dining_table, bookcase against_wall wall",
+        "chair around dining_table, globe on dining_table, bookcase in_rows",
     ),
     "A bathroom with a toilet, a sink with a mirror above it, and a towel rack.": (
         "1 toilet, 1 washbasin, 1 mirror, 1 towel_rail",

@@ -24,7 +24,7 @@ from thinkblox.reading import read_brief
         ("A fish and chip shop", "takeaway", "deep_fryer"),
         ("A fitting room", "fitting_room", "changing_cubicle"),
         ("A camera shop", "shop", "camera"),
-        ("A mobile phone shop with a counter", "shop", "phone"),
+        ("A mobile phone shop with a counter", "phone_shop", "phone"),
         ("A clock shop", "shop", "clock"),
         ("A dressing room with an ottoman", "walk_in_closet", "standing_mirror"),
         ("A music teacher's studio with a grand piano", "music_room", "rug"),
