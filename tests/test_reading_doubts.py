@@ -187,3 +187,18 @@ def test_a_stack_says_how_things_lie() -> None:
 )
 def test_what_may_mean_either_of_two_is_said(prompt: str) -> None:
     assert any(" or " in said for said in read_brief(prompt).unknown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "denied"),
+    [
+        ("A television. The sofa faces the fireplace, not the television.", ("facing", "sofa", ("tv",))),
+        ("A chair that faces the desk rather than the window.", ("facing", "chair", ("window",))),
+        ("The bed stands by the window and not the door.", ("next_to", "bed", ("door",))),
+        ("A shelf, a desk and a lamp on the desk but not the shelf.", ("on", "desk_lamp", ("shelving_unit",))),
+    ],
+)
+def test_what_is_left_out_before_what_is_denied_is_said_again(prompt: str, denied: tuple[str, str, tuple[str]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.negated] == [denied]
+    assert brief.unknown == ()

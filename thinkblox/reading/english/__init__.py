@@ -11,6 +11,7 @@ from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
+from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
@@ -76,6 +77,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_laid,
         with_doings,
         with_others,
+        with_denials,
         with_nouns,
         with_answers,
         with_furniture,
