@@ -162,6 +162,15 @@ def test_counter_grows() -> None:
     assert many.size[1] > 2.0
 
 
+def test_oval_stays_longer_than_wide() -> None:
+    table = target(
+        "A long oval conference table with ten glasses, two jugs and eight notebooks on it.", "conference_table_1"
+    )
+    assert table.size[0] is not None
+    assert table.size[1] is not None
+    assert table.size[1] > 1.5 * table.size[0]
+
+
 def test_said_size_stays() -> None:
     asked = target("A bakery with a counter 1.2 m wide with twelve croissants and six cakes on it.", "counter_1")
     assert asked.size[1] == pytest.approx(1.2)
@@ -309,6 +318,7 @@ def test_curtains_hang_at_the_window_over_the_bed_before_it() -> None:
     assert all(hangs_at_window(done.scene, id) for id in ("curtain_1", "curtain_2"))
 
 
+@pytest.mark.slow
 def test_nothing_that_nobody_asked_for_lies_on_top_of_a_tall_bookcase() -> None:
     done = generate_room("A reading room with a tall bookcase and an armchair.", seed=0, effort=ONCE, fill="lived-in")
     tall = {p.id for p in done.scene.placements if p.category == "bookcase" and p.top > 1.7}

@@ -36,6 +36,8 @@ PACKED = 1.25
 """How much larger a top is than the things on it together: they differ, and stand in lines."""
 UNDER = 0.03
 """Air left above and beside what stands under a thing [m]."""
+_CIRCLE = 0.9
+"""Share of a round top's length from which its width makes it a circle, which stays one; an oval grows as oblong."""
 _VARIED = 1.1
 """How much larger than usual a thing may come out."""
 _STEP = 0.02
@@ -182,7 +184,8 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
         return None
     areas = [((x * _VARIED + APART), (y * _VARIED + APART)) for x, y, _ in sizes]
     long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
-    even, small = top.round or usual[0] == usual[1], max(usual[:2]) < SMALL
+    circle = top.round and min(top.size) > _CIRCLE * max(top.size)
+    even, small = circle or usual[0] == usual[1], max(usual[:2]) < SMALL
     furniture = kind.is_in("surfaces", "tables", "counters", "worktops")
     free = member.mount == "wall" or not (furniture or kind.is_in("seats", "seating"))
     growth = FREELY if free and (small or member.mount == "wall") else GROWTH if furniture or small else SLIGHT
