@@ -163,9 +163,8 @@ def test_counter_grows() -> None:
 
 
 def test_oval_stays_longer_than_wide() -> None:
-    table = target(
-        "A long oval conference table with ten glasses, two jugs and eight notebooks on it.", "conference_table_1"
-    )
+    prompt = "An oval dining table with eight plates, eight glasses, eight bowls and a vase on it."
+    table = target(prompt, "dining_table_1")
     assert table.size[0] is not None
     assert table.size[1] is not None
     assert table.size[1] > 1.5 * table.size[0]
