@@ -19,7 +19,8 @@ def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 1
     while at < len(made) - 1:
         link, where = made[at], made[at + 1]
-        if isinstance(link, Connector) and link.sort == "prepositions" and isinstance(where, Noun):
+        over = isinstance(link, Connector) and link.sort == "prepositions" and link.text.lower() in _ABOUT
+        if over and isinstance(link, Connector) and isinstance(where, Noun):
             made[at:] = _laid(made[:at], link, where, made[at + 2 :])
         at += 1
     return made

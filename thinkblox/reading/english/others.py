@@ -13,14 +13,14 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "one on the right" and "the right one" name what was told to be on the left."""
     made = list(chunks)
     thing: Noun | None = None
-    told: dict[str, Noun] = {}
+    told: set[str] = set()
     at = 0
     while at < len(made):
         said, part = made[at], _side_after(made, at)
         if isinstance(said, Noun) and said.kind == "thing" and part is not None:
-            told = told if thing is not None and said.value == thing.value else {}
+            told = told if thing is not None and said.value == thing.value else set()
             thing = None if said.many else said
-            told[part.value] = part
+            told.add(part.value)
         elif isinstance(said, Noun) and thing is not None:
             found = _once_more(thing, said, part, told)
             length = _length(made, at) if found is not None and found.side and part is not None else 1
@@ -41,16 +41,16 @@ def _put_verb(chunks: list[Chunk], at: int, after: int) -> None:
         chunks.insert(after, replace(verb, start=noun.start, end=noun.start))
 
 
-def _once_more(thing: Noun, said: Noun, part: Noun | None, told: dict[str, Noun]) -> Noun | None:
+def _once_more(thing: Noun, said: Noun, part: Noun | None, told: set[str]) -> Noun | None:
     """The thing in place of "one", by its side where that is taken, else another; None for other words."""
     text = said.text.lower()
     if part is not None and text in _OTHER:
-        told.setdefault(part.value, part)
+        told.add(part.value)
         return None
     if part is not None and text in _ONE:
         if part.value in told:
             return _named(thing, said, "the", part.value) if text == "the one" and len(told) > 1 else None
-        told[part.value] = part
+        told.add(part.value)
         return _named(thing, said, "another")
     if said.kind != "number" or said.side not in told or text != f"the {said.side} one":
         return None
