@@ -28,7 +28,7 @@ _CANDIDATES = 4
 """Poses proposed for one of the many things that nobody asked for; where none will do, it is left out."""
 _FULL = 4
 """After so many in a row that found no place on a thing it is taken for full."""
-_STAGES: tuple[Stage, ...] = ("furniture", "things", "things", "spare", "things", "things")
+STAGES: tuple[Stage, ...] = ("furniture", "things", "things", "spare", "things", "things")
 """What is added, one after the other; the later ones only as long as there is too little."""
 _BY_WALL = 0.4
 """What is no further from a wall is not amid the room [m]."""
@@ -67,7 +67,7 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     done = Dressed(world, replace(loop, effort=effort, tells=False))
     planned = 0
     crowded: Counter[str] = Counter()
-    for number, stage in enumerate(_STAGES):
+    for number, stage in enumerate(STAGES):
         if number > 1 and len(done.world.scene.placements) >= LEAST:
             break
         full = [id for id, failures in crowded.items() if failures >= _FULL]
