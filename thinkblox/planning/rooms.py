@@ -19,6 +19,8 @@ _PROPORTIONS = {"hallway": (0.4, 0.45)}
 _USUAL_PROPORTION = (0.55, 1.0)
 _SPREAD, _HALLS = 1.5, 1.2
 """By how much a room whose size is left open may be larger than it needs to be, and one that is a hall anyway."""
+_TOLD, _FITTED = 5, 1.2
+"""Of how many kinds of things that are named a room is a fitting one, and by how much larger it may be."""
 _CLOSE = 1.1
 """By how much one that is said to be small may."""
 _SMALL, _LARGE = 20.0, 40.0
@@ -62,7 +64,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.width is not None and brief.depth is not None:
         return brief.width, brief.depth
     least = needed_area(brief) * _scale(brief)
-    spread = _spread(least) if _CLOSE_ROOMS.isdisjoint(brief.style) else _CLOSE
+    told = len({request.category for request in brief.requests if request.asked}) >= _TOLD
+    spread = min(_spread(least), _FITTED if told else _SPREAD) if _CLOSE_ROOMS.isdisjoint(brief.style) else _CLOSE
     area = brief.area if brief.area is not None else least * rng.uniform(1.0, spread)
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2

@@ -28,6 +28,8 @@ _OUT, _IN = (0, 1, 2, 3), (1, 2, 3, 4)
 """How many kinds of things are left out where all is open, and how many come in."""
 _IN_SKETCHED = (1, 2, 3)
 """How many kinds of things come in where some are named."""
+_FINISHES = 2
+"""How many kinds of things on walls and floor come in where much is named."""
 _CLOSE = 1.3
 """By how much more floor than there is what a room needs may take by the handbook."""
 _FIRST = 3
@@ -55,10 +57,10 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     """
     bare = _is_bare(brief)
     rng = np.random.default_rng((seed, _SALT))
-    if not brief.empty and not (bare or _is_sketched(brief)) and fill != "named":
-        return _complete(brief, rng, fill, always=True)
-    if brief.empty or not (bare or _is_sketched(brief)):
+    if brief.empty:
         return brief
+    if not (bare or _is_sketched(brief)):
+        return brief if fill == "named" else _finished(_complete(brief, rng, fill, always=True), rng, fill)
     gone: set[str] = set()
     if bare:
         brief, gone = _lessened(brief, rng)
@@ -67,7 +69,27 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     if _is_sparse(brief):
         return brief
     options = [option for option in _options(brief) if is_open(brief) or not _is_laid(option)]
-    count = int(rng.choice(_IN if bare else _IN_SKETCHED))
+    return _with_some(brief, options, int(rng.choice(_IN if bare else _IN_SKETCHED)), gone, rng, fill)
+
+
+def _finished(brief: Brief, rng: np.random.Generator, fill: Fill) -> Brief:
+    """The brief with something on the walls and the floor, which takes no room from what is named."""
+    if _is_sparse(brief) or varieties().of(brief.room_type) is None:
+        return brief
+    options = [option for option in _options(brief) if all(_is_finish(usual.category) for usual in option)]
+    return _with_some(brief, options, _FINISHES, (), rng, fill)
+
+
+def _is_finish(category: str) -> bool:
+    """Whether it lies on the floor or hangs on a wall."""
+    kind = kind_of(category)
+    return kind.flat or kind.mount == "wall"
+
+
+def _with_some(
+    brief: Brief, options: Sequence[Option], count: int, gone: Sequence[str] | set[str], rng: np.random.Generator, fill: Fill
+) -> Brief:
+    """The brief with `count` of the options, as far as there is a place for them."""
     for at in map(int, rng.permutation(len(options))):
         wanted = _wanted(brief, options[at], gone)
         if count and wanted and _has_room(brief, more := _with(brief, wanted, fill)):
