@@ -239,7 +239,7 @@ from thinkblox.reading import read_brief
         ("A desk below a shelf holding five trophies.", ["1 desk under wall_shelf"]),
         # Whose side it is, and which of several are spoken of.
         ("Two massage tables. Each has a stool on its left and a trolley with towels on its right.",
-         ["2 serving_trolley right_of massage_table", "2 towels on serving_trolley"]),
+         ["2 serving_trolley right_of massage_table", "4 towels on serving_trolley"]),
         ("A bed. On its left is a nightstand with a phone on it; on its right there is a chair.",
          ["1 nightstand left_of bed", "1 chair right_of bed"]),
         ("Four chairs. Two of them have cushions on them. Between those two is a plant.",
@@ -424,6 +424,8 @@ from thinkblox.reading import read_brief
         ("The meeting room should seat eight: a long table, chairs on both long sides.",
          ["8 chair at_long_side conference_table"]),
         ("A table by the door, and two chairs that are round.", ["1 dining_table next_to door"]),
+        ("An X-ray light box on the wall, 2 x stools and two X-ray tables.", ["1 light_box on wall", "2 stool"]),
+        ("A shelf with towels, a counter with a glove box.", ["2 towels inside shelving_unit", "1 glove_box on counter"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:

@@ -47,8 +47,9 @@ _SALT = 2_000_003
 def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     """The brief with some of what it assumes left out, and with some more, as rooms of its type differ.
 
-    What a prompt names stays, with what that needs, and what every such room has. Who names many things, says how they
-    stand to each other, or wants nothing else, gets these. The same seed gives the same.
+    What a prompt names stays, with what that needs, and what every such room has. Who names many things, or says how
+    they stand to each other, gets these, and something on the walls and the floor; who wants nothing else gets nothing else.
+    The same seed gives the same.
 
     Args:
         brief: what is asked for, with what that takes for granted.
@@ -74,7 +75,8 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
 
 def _finished(brief: Brief, rng: np.random.Generator, fill: Fill) -> Brief:
     """The brief with something on the walls and the floor, which takes no room from what is named."""
-    if _is_sparse(brief) or varieties().of(brief.room_type) is None:
+    named = any(request.asked for request in brief.requests)
+    if not named or _is_sparse(brief) or varieties().of(brief.room_type) is None:
         return brief
     options = [option for option in _options(brief) if all(_is_finish(usual.category) for usual in option)]
     return _with_some(brief, options, _FINISHES, (), rng, fill)
@@ -87,7 +89,12 @@ def _is_finish(category: str) -> bool:
 
 
 def _with_some(
-    brief: Brief, options: Sequence[Option], count: int, gone: Sequence[str] | set[str], rng: np.random.Generator, fill: Fill
+    brief: Brief,
+    options: Sequence[Option],
+    count: int,
+    gone: Sequence[str] | set[str],
+    rng: np.random.Generator,
+    fill: Fill,
 ) -> Brief:
     """The brief with `count` of the options, as far as there is a place for them."""
     for at in map(int, rng.permutation(len(options))):

@@ -197,7 +197,7 @@ class Quantities(Words):
         return 0
 
     def _times(self, at: int) -> int:
-        if at >= len(self.tokens) or self.tokens[at].text != "x":
+        if at >= len(self.tokens) or self.tokens[at].text != "x" or self.tokens[at].glued:
             return 0
         return 1 if self._starts_noun(at + 1) else 0
 
