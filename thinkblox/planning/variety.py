@@ -48,7 +48,7 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     """The brief with some of what it assumes left out, and with some more, as rooms of its type differ.
 
     What a prompt names stays, with what that needs, and what every such room has. Who names many things, or says how
-    they stand to each other, gets these, and something on the walls and the floor; who wants nothing else gets nothing else.
+    they stand to each other, gets these, and something on the walls and the floor; who wants nothing else gets that.
     The same seed gives the same.
 
     Args:
