@@ -114,10 +114,13 @@ def from_ties(situation: Situation) -> list[Idea]:
 
 
 def _is_turned_first(situation: Situation, tie: Tie) -> bool:
-    """Whether what it is asked to look at decides before any habit where it stands.
+    """Whether what it looks at decides before any habit where it stands.
 
-    That is a door, a window or a wall, and for a lounge seat what is no seat: a screen, a fire.
+    That is what is across the room, where one is asked to look at it a door, a window or a wall, and for a lounge seat
+    what is no seat: a screen, a fire.
     """
+    if tie.kind == "opposite":
+        return bool(situation.placed(tie.anchors))
     if tie.kind not in _TURNED or not tie.asked or not tie.anchors:
         return False
     if not any(map(is_object, tie.anchors)):

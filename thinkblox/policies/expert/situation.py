@@ -152,7 +152,9 @@ class Situation:
     @cached_property
     def clearances(self) -> Rects:
         """The floor that people need who use what stands here, for doors, drawers and themselves."""
-        others = [p for p in self.solid if p.id not in self.relatives]
+        case = self.facts.is_in("cases")
+        beside_it = {p.id for p in self.solid if case and facts_of(p.category).is_in("cases")}
+        others = [p for p in self.solid if p.id not in self.relatives or p.id in beside_it]
         boards = Rects.of_placements(tuple(p for p in others if p.position[2] >= 0.5 and is_board(p.category)))
         written_at = beside(boards, "front", BEFORE_BOARD)
         hung = [(p, use) for p in others if p.position[2] >= 0.5 for use in facts_of(p.category).uses]
