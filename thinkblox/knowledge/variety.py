@@ -86,7 +86,7 @@ class Varieties(Value, frozen=True, kw_only=True):
 
 
 def do_alike(one: str, other: str) -> bool:
-    """Whether one thing does for another: called alike, and usually in like places; no table to eat at for a low one."""
+    """Whether one thing does for another: called alike, and usually in a like place; no kitchen table for a low one."""
     habits = load_habits()
     return are_alike(one, other) and (one == other or habits.of(one)[:1] == habits.of(other)[:1])
 

@@ -113,7 +113,7 @@ def _at_their_backs(situation: Situation, rects: Rects) -> Array:
 
 
 def _out_of_zone(situation: Situation, rects: Rects) -> Array:
-    """What it costs to stand far from the rest of one's part of a room that has several: a wardrobe far from the bed."""
+    """What it costs to stand far from the rest of its part of a room that has several: a wardrobe far from the bed."""
     zone = zone_of(situation.target.category)
     kinds = {zone_of(t.category) for t in situation.observation.plan.targets} - {""}
     rest = tuple(p for p in situation.large if zone_of(p.category) == zone)

@@ -1,4 +1,4 @@
-"""How lounge seats stand to what people look at from them across a room: on its axis, near enough, backs away from it."""
+"""How lounge seats stand to what people look at across a room: on its axis, near enough, and no back to it."""
 
 import numpy as np
 
