@@ -245,6 +245,19 @@ def test_a_sofa_bed_is_a_bed_and_a_crowd_brings_nothing_of_its_own():
     assert "backpack" not in counts("A chemistry lab for 20 students")
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A lounge with a sofa, a TV stand, two bookcases, an armchair, a clock and a plant",
+        "A flat with a bed, a kitchen table with two chairs, a sofa, a TV stand and a wardrobe",
+    ],
+)
+def test_a_stand_has_its_screen_and_a_sofa_its_table(prompt: str):
+    for seed in range(4):
+        there = {r.category for r in varied(read_brief(prompt), seed).requests}
+        assert {"tv", "coffee_table"} <= there
+
+
 def test_what_a_room_may_hold_is_no_second_of_what_it_has():
     for prompt, other in (
         ("A living room with a grand piano and two armchairs", "piano"),

@@ -26,6 +26,7 @@ from thinkblox.policies.expert.imagine import ELSEWHERE, from_ties
 from thinkblox.policies.expert.judge import ranked
 from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import layouts
+from thinkblox.policies.expert.sight import sight_costs
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
 from thinkblox.reading import read_brief
@@ -211,6 +212,18 @@ def test_a_sofa_looks_at_the_screen_from_a_good_distance(seed: int):
     assert abs(ahead[1]) < 0.5
 
 
+def test_seats_gather_about_the_table_and_leave_the_screen_in_sight():
+    done = room("A living room, 6 by 6 metres, with a sofa facing a TV, two armchairs and a coffee table.", 3)
+    sofa, screen, table = (of(done, c)[0] for c in ("sofa", "tv", "coffee_table"))
+    ahead, aside = sofa.to_local(screen.position[:2])
+    assert 1.5 < ahead - sofa.size[0] / 2 < 3.6
+    assert abs(aside) < 0.3
+    for seat in of(done, "armchair"):
+        assert gap(seat, table) < 0.8
+        assert seat.to_local(screen.position[:2])[0] > 0.0
+        assert abs(sofa.to_local(seat.position[:2])[1]) > sofa.size[1] / 4
+
+
 def test_two_desks_that_face_each_other_stand_back_to_back():
     one, other = of(room("A small office with two desks facing each other, each with an office chair."), "desk")
     assert abs((one.yaw - other.yaw) % 360.0 - 180.0) < 1.0
@@ -346,6 +359,33 @@ def test_a_sofa_stands_where_the_wall_before_it_is_not_too_far():
     deep = s.size[0] / 2 + 0.02
     along, across = follower_costs(s, boxes(s, (2.5, deep, 90.0), (deep, 3.1, 0.0)))
     assert across + 0.5 < along
+
+
+def test_a_sofa_looks_where_its_screen_has_a_place():
+    tie = Tie(kind="opposite", anchors=("sofa_9",), asked=False)
+    sofa = Target(id="sofa_9", category="sofa", request="sofa")
+    stand = Target(id="tv_stand_1", category="tv_stand", request="tv_stand", ties=(tie,))
+    plan = Plan(brief=read_brief("A room with a chair."), targets=(sofa, stand))
+    door = Opening(id="door_1", kind="door", wall=2, offset=3.2, width=0.9, height=2.1)
+    scene = Scene(prompt="", seed=0, room=rectangle(6.0, 4.0, openings=(door,)))
+    s = Situation(seen(scene, plan, sofa, seed=1))
+    deep = s.size[0] / 2 + 0.02
+    free, at_door = sight_costs(s, boxes(s, (4.5, deep, 90.0), (2.3, deep, 90.0)))
+    assert free + 1.0 < at_door
+
+
+def test_a_wardrobe_of_a_studio_stands_by_the_bed():
+    stands = (("bed", 1.2, 1.2, 0.0), ("sofa", 5.0, 4.0, 180.0))
+    s = situation("wardrobe", stands=stands)
+    plan = msgspec.structs.replace(
+        s.observation.plan,
+        targets=(*s.observation.plan.targets, *(Target(id=f"{c}_1", category=c, request=c) for c, *_ in stands)),
+    )
+    mixed = Situation(msgspec.structs.replace(s.observation, plan=plan))
+    deep = s.size[0] / 2 + 0.02
+    poses = ((deep, 3.0, 0.0), (6.0 - deep, 1.0, 180.0))
+    alone, apart = ground_costs(s, boxes(s, *poses)), ground_costs(mixed, boxes(mixed, *poses))
+    assert apart[1] - apart[0] > alone[1] - alone[0] + 1.0
 
 
 def test_a_screen_is_not_put_before_a_window_and_a_bookcase_shows_its_back_to_the_wall():

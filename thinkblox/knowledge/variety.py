@@ -47,7 +47,7 @@ class RoomNeed(Value, frozen=True, kw_only=True):
         groups = [name.removeprefix("@") for name in names if name.startswith("@")]
         others = [name for name in names if not name.startswith("@")]
         firsts = [option[0].category for option in self.options]
-        alike = any(are_alike(category, name) for name in firsts)
+        alike = any(do_alike(category, name) for name in firsts)
         return alike or load_habits().is_in(category, *groups) or any(counts_as(category, name) for name in others)
 
 
@@ -83,6 +83,12 @@ class Varieties(Value, frozen=True, kw_only=True):
     def of(self, room: str) -> RoomChoices | None:
         """The choices of a type of room, or of the wider one that it is one of; None where there are none."""
         return self.rooms.get(room) or self.rooms.get(room_type(room).like)
+
+
+def do_alike(one: str, other: str) -> bool:
+    """Whether one thing does for another: called alike, and usually in a like place; no kitchen table for a low one."""
+    habits = load_habits()
+    return are_alike(one, other) and (one == other or habits.of(one)[:1] == habits.of(other)[:1])
 
 
 @lru_cache(maxsize=1)

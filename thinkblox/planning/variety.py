@@ -14,7 +14,7 @@ from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.goods import goods_in
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
-from thinkblox.knowledge.variety import Option, varieties
+from thinkblox.knowledge.variety import Option, do_alike, varieties
 from thinkblox.planning.rooms import is_open
 from thinkblox.planning.space import furniture_area
 
@@ -232,7 +232,7 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Opt
 
 def _does_for(name: str, wanted: str) -> bool:
     """Whether a <name> does where a <wanted> may be: a grand piano for a piano."""
-    return are_alike(wanted, name) or counts_as(name, wanted) or stand_in(name).like == wanted
+    return do_alike(wanted, name) or counts_as(name, wanted) or stand_in(name).like == wanted
 
 
 def _is_taken(brief: Brief, usual: Usual, found: Sequence[tuple[str, str]]) -> bool:

@@ -9,13 +9,17 @@ _AT_WALLS = ("against_wall",)
 
 
 def keep_views(members: Members) -> None:
-    """A table to eat at waits for the seats and the screen that they look at, and does not claim the middle."""
-    seen = [m for m in members.all if _is_seen_across(members, m)]
-    for table in members.all if seen else ():
-        if not load_habits().is_in(table.category, "meal_tables") or any(tie.asked for tie in table.ties):
+    """A table to eat at waits for the seats and the screen that they look at, and does not claim the middle.
+
+    Seats that join a low table wait for the screen as well, and leave it in sight.
+    """
+    habits, seen = load_habits(), [m for m in members.all if _is_seen_across(members, m)]
+    for other in members.all if seen else ():
+        if habits.is_in(other.category, "meal_tables") and not any(tie.asked for tie in other.ties):
+            other.ties = [tie for tie in other.ties if tie.kind != "in_centre"]
+        elif not (habits.is_in(other.category, "lounges") and _joins_low_table(members, other)):
             continue
-        table.ties = [tie for tie in table.ties if tie.kind != "in_centre"]
-        table.waits |= {m.id for m in seen if not members.depends(m, table)}
+        other.waits |= {m.id for m in seen if m is not other and not members.depends(m, other)}
 
 
 def gather(members: Members) -> None:
@@ -28,9 +32,6 @@ def gather(members: Members) -> None:
         for number, seat in enumerate(loose[1:3]):
             if not members.depends(table, seat):
                 seat.ties = [Tie(kind="next_to", anchors=(table.id,), index=number, asked=False)]
-                seat.waits |= {
-                    m.id for m in members.all if _is_seen_across(members, m) and not members.depends(m, seat)
-                }
 
 
 def _is_seen_across(members: Members, thing: Member) -> bool:
@@ -38,6 +39,12 @@ def _is_seen_across(members: Members, thing: Member) -> bool:
     anchors = [members.by_id.get(a) for tie in thing.ties if tie.kind in _ACROSS for a in tie.anchors]
     looking = any(a is not None and load_habits().is_in(a.category, "lounges") for a in anchors)
     return looking and thing.mount == "floor" and not load_habits().is_in(thing.category, "seating")
+
+
+def _joins_low_table(members: Members, seat: Member) -> bool:
+    """Whether a seat stands by a low table, as asked or usually."""
+    anchors = (members.by_id.get(a) for tie in seat.ties if tie.kind in ("near", "next_to") for a in tie.anchors)
+    return any(a is not None and load_habits().is_in(a.category, "lounged_at") for a in anchors)
 
 
 def _is_loose(seat: Member) -> bool:

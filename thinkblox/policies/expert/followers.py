@@ -17,7 +17,7 @@ from thinkblox.scene.zones import beside, fewest
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
-FAR_VIEW = 0.8
+FAR_VIEW = 1.2
 """Cost per metre by which one sits farther from what is to be looked at across the room than is good."""
 TOO_DEEP = 2.0
 """Cost of looking across the room at a wall from which what stands there is too far away."""

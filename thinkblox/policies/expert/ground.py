@@ -4,6 +4,7 @@ import numpy as np
 
 from thinkblox.assets import facts_of
 from thinkblox.knowledge.uses import uses
+from thinkblox.knowledge.zones import zone_of
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import in_the_way
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth, separation
@@ -19,6 +20,8 @@ BARELY = 0.2
 """How far above the sill a head of a bed may reach before a window, where no wall is free [m]."""
 SEEN_OVER, IN_VIEW = 0.6, 4.0
 """Height over which one looks from a sofa [m], and cost per metre of what is higher between it and a screen."""
+SEATED_ROUND = 0.5
+"""How far those who sit around a table reach beyond it [m]."""
 HIGH, AT_WALL, BARE_BACK = 1.2, 0.06, 2.5
 """Storage that is higher than this shows its back [m], unless a wall is as near as this [m]; and the cost of that."""
 MOVED_ASIDE, KEPT_CLEAR = 4.0, 8.0
@@ -27,6 +30,8 @@ STAFF, BEHIND_COUNTER, ASIDE = 4.0, 2.0, 1.2
 """Cost of a guest's seat behind a counter, how deep that floor is, and how far past the ends of the counter [m]."""
 AT_BACKS, TALKS = 4.0, 3.5
 """Cost of a lounge seat that looks at the back of another, and how far one looks [m]."""
+SEVERAL_ZONES, WITHIN_ZONE, ZONE_APART = 2, 1.0, 1.2
+"""From how many parts of a room on things keep to theirs, up to how far that is no matter [m], and cost per metre."""
 SAME_WAY = 0.7
 """Cosine of the angle up to which two look the same way."""
 _BACKED = ("in_rows", "back_to_back", "between", "behind")
@@ -44,9 +49,11 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
     costs += in_the_way(situation, rects) + _back_in_room(situation, rects)
-    costs += _among_staff(situation, rects) + _at_their_backs(situation, rects)
+    costs += _among_staff(situation, rects) + _at_their_backs(situation, rects) + _out_of_zone(situation, rects)
     if situation.size[2] > SEEN_OVER:
-        costs += IN_VIEW * overlap_depth(rects, situation.views).max(-1, initial=0.0)
+        seated = SEATED_ROUND if situation.facts.is_in("sat_around") else 0.0
+        whole = Rects(rects.centre, rects.half + seated, rects.yaw, rects.bottom, rects.top)
+        costs += IN_VIEW * overlap_depth(whole, situation.views).max(-1, initial=0.0)
     if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
         near = separation(rects, situation.door_zones)
         costs += 0.8 * np.maximum(0.0, 0.35 - near).max(-1)
@@ -103,6 +110,17 @@ def _at_their_backs(situation: Situation, rects: Rects) -> Array:
         out, aside = to @ ahead, np.abs(to @ left)
         costs += AT_BACKS * (same & (np.abs(out) > p.size[0]) & (np.abs(out) < TALKS) & (aside < p.size[1] / 2))
     return costs
+
+
+def _out_of_zone(situation: Situation, rects: Rects) -> Array:
+    """What it costs to stand far from the rest of its part of a room that has several: a wardrobe far from the bed."""
+    zone = zone_of(situation.target.category)
+    kinds = {zone_of(t.category) for t in situation.observation.plan.targets} - {""}
+    rest = tuple(p for p in situation.large if zone_of(p.category) == zone)
+    if not zone or not rest or len(kinds) < SEVERAL_ZONES:
+        return np.zeros(len(rects))
+    apart = separation(rects, Rects.of_placements(rest)).min(-1)
+    return np.asarray(ZONE_APART * np.clip(apart - WITHIN_ZONE, 0.0, None))
 
 
 def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:

@@ -26,7 +26,8 @@ from thinkblox.policies.expert import (
 )
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.needs import WORKING, backs_worker
-from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.sight import comes_across
+from thinkblox.policies.expert.situation import Situation, is_lounge, is_seat
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.pairs import FACING, NEAR
@@ -83,13 +84,15 @@ SEATED = 0.2
 """Free floor behind a seat that is drawn up to a table by the wall [m]."""
 _OPEN_SIDES, _DRAWN_UP = 2, 0.5
 """Seats at the sides of a table in a corner that are open, and floor for one between the table and a wall [m]."""
+GATHERED = 1.0
+"""Cost per metre from a low table to a lounge seat that stands by a wall instead of before the table."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
 
 def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
-    ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
+    ties = tuple(sorted(situation.target.ties, key=lambda tie: not _is_turned_first(situation, tie)))
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
     in_rows = any(tie.kind == "in_rows" for tie in ties)
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
@@ -112,9 +115,19 @@ def from_ties(situation: Situation) -> list[Idea]:
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
-def _looks_at_place(tie: Tie) -> bool:
-    """Whether it is asked to look at a door, a window or a wall, which decides before any habit where it stands."""
-    return tie.kind in _TURNED and tie.asked and bool(tie.anchors) and not any(map(is_object, tie.anchors))
+def _is_turned_first(situation: Situation, tie: Tie) -> bool:
+    """Whether what it looks at decides before any habit where it stands.
+
+    That is what is across the room, where one is asked to look at it a door, a window or a wall, and for a lounge seat
+    what is no seat: a screen, a fire.
+    """
+    if tie.kind == "opposite":
+        return bool(situation.placed(tie.anchors))
+    if tie.kind not in _TURNED or not tie.asked or not tie.anchors:
+        return False
+    if not any(map(is_object, tie.anchors)):
+        return True
+    return is_lounge(situation.target.category) and not any(is_seat(p.category) for p in situation.placed(tie.anchors))
 
 
 def _before_staff(situation: Situation) -> Iterator[Idea]:
@@ -246,12 +259,18 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
 
 
 def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
-    """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves."""
+    """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves.
+
+    A seat from which something across the room is to be seen stands free before it where the walls are too far apart.
+    """
     served = tie.kind == "near" and situation.facts.is_in("served_over")
     if served:
         yield from walls.off_walls(situation)
     for idea in walls.in_line(situation, place):
         yield _dearer(idea, UNSERVED if served else 0.0)
+    seen = [t for t in situation.followers if comes_across(situation, t)]
+    if seen and not tie.asked:
+        yield from open_floor.across_from_walls(situation, situation.kind(seen[0]).size[0])
 
 
 def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
@@ -345,9 +364,9 @@ def _far(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     return sides.far_from(marks, list(_BY_MOUNT[situation.asset.mount](situation)))
 
 
-def _is_lounge(situation: Situation, anchor: Placement) -> bool:
+def _gathers(situation: Situation, anchor: Placement) -> bool:
     """Whether a lounge seat gathers with others around a low table."""
-    return situation.facts.is_in("lounges") and facts_of(anchor.category).is_in("lounged_at")
+    return is_lounge(situation.target.category) and facts_of(anchor.category).is_in("lounged_at")
 
 
 def _at_side(situation: Situation, anchor: Placement, side: str) -> Iterator[Idea]:
@@ -360,7 +379,7 @@ def _at_side(situation: Situation, anchor: Placement, side: str) -> Iterator[Ide
 def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if situation.asset.mount == "wall":
         yield from hung.beside(situation, anchor, ("left", "right"))
-    if _is_lounge(situation, anchor):
+    if _gathers(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
     sides: tuple[str, ...] = ("left", "right")
     if tie.count > 1:
@@ -592,13 +611,13 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
         yield from open_floor.presenting(situation, anchor)
-    if _is_lounge(situation, anchor):
+    if _gathers(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
-    along = 2.0 if _is_lounge(situation, anchor) else 0.2
+    along, apart = (2.0, GATHERED) if _gathers(situation, anchor) else (0.2, 0.0)
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, along)
-    yield from walls.along_walls(situation)
-    yield from walls.corners(situation)
+    for idea in (*walls.along_walls(situation), *walls.corners(situation)):
+        yield _dearer(idea, apart * math.dist(idea.position[:2], anchor.position[:2]))
 
 
 _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {

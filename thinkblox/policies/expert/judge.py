@@ -16,6 +16,7 @@ from thinkblox.policies.expert.followers import costs_below, follower_costs
 from thinkblox.policies.expert.ground import TOUCH, darkens, ground_costs
 from thinkblox.policies.expert.hung import is_among_people
 from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.sight import sight_costs
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.scene.placement import Placement
@@ -54,7 +55,7 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
     costs = np.array([idea.cost for idea in ideas])
     costs += _impossible(situation, ideas, rects)
     if situation.asset.mount == "floor" and situation.asset.collides:
-        ground = ground_costs(situation, rects) + follower_costs(situation, rects)
+        ground = ground_costs(situation, rects) + follower_costs(situation, rects) + sight_costs(situation, rects)
         if is_large(situation.size):
             ground += imbalance(situation, moment(situation.room, rects))
         costs += np.where(_carried(ideas), 0.0, ground)

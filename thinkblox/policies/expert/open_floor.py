@@ -2,7 +2,9 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
+from thinkblox.knowledge.uses import SIDE_WAY
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea
@@ -17,8 +19,12 @@ TALKING = (1.45, 1.3, 1.6, 1.8, 2.1)
 """Free distance between seats that look at each other, with a low table between them, the best first [m]."""
 BETWEEN_SEATS = 0.3
 """Free distance between seats side by side [m]."""
+HALF_TURNED = 20.0
+"""How far a seat at the end of a low table is turned from it to what others look at [degrees]."""
 FLOATING = 0.4
 """Cost of a seat with nothing behind it, where it could have a wall."""
+ACROSS_FLOOR = (2.6, 3.0, 2.2)
+"""Free distance between a seat that stands free and what is to stand before a wall across from it [m]."""
 USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
 """Free distance to what a thing looks at, the best first, unless its category says otherwise [m]."""
 
@@ -40,6 +46,25 @@ def grid(situation: Situation, *, step: float = 0.25, why: str = "it stands free
                 words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(turn))
                 cost = 0.5 * math.hypot(i * step, j * step) + _across_room(situation, turn)
                 yield Idea((x, y, 0.0), turn, words, why, cost)
+
+
+def across_from_walls(situation: Situation, depth: float) -> Iterator[Idea]:
+    """Before each wall, looking at what is to stand there, so deep [m], with a way behind."""
+    own = situation.size[0]
+    for wall in situation.room.walls:
+        deep = max(wall.coordinates(corner)[1] for corner in situation.room.floor)
+        yaw = (wall.yaw + 180.0) % 360.0
+        half = max(situation.size[1] / 2, wall.length / 2 - SIDE_WAY)
+        for rank, distance in enumerate(ACROSS_FLOOR):
+            if deep - depth - distance - own < SIDE_WAY:
+                continue
+            for i in range(17):
+                along = wall.length / 2 + (i / 8 - 1.0) * (half - situation.size[1] / 2)
+                x, y = wall.point(along, depth + distance + own / 2)
+                words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+                aside = abs(along - wall.length / 2) / max(0.5, wall.length / 2)
+                cost = FLOATING + 0.15 * rank + 0.9 * aside
+                yield Idea((x, y, 0.0), yaw, words, "it looks at a wall across the room from near enough", cost)
 
 
 def at_doors(situation: Situation) -> Iterator[Idea]:
@@ -112,10 +137,20 @@ def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
 
 
 def about_low_table(situation: Situation, table: Placement) -> Iterator[Idea]:
-    """Before any side of a low table, looking at it; where a sofa has one long side, the ends are for the others."""
+    """Before any side of a low table, looking at it; where a sofa has one long side, the ends are for the others.
+
+    At an end it may be turned a little to what people look at across the room.
+    """
+    seen = [table.to_local(other.position[:2]) for _, other in situation.looked_across]
     for turn in (90.0, 270.0, 0.0, 180.0):
+        at_end = turn % 180.0 != 0.0
         for rank, distance in enumerate((0.4, 0.3, 0.48)):
-            yield _looking(situation, table, turn, distance, 0.1 * rank + (0.0 if turn % 180.0 else 0.15))
+            idea = _looking(situation, table, turn, distance, 0.1 * rank + (0.0 if at_end else 0.15))
+            yield idea
+            if at_end and seen:
+                towards = -1.0 if (turn == 90.0) == (seen[0][0] < 0.0) else 1.0
+                yaw = (idea.yaw + towards * HALF_TURNED) % 360.0
+                yield replace(idea, yaw=yaw, words=(*idea.words[:-1], turned(yaw)), cost=idea.cost - 0.1)
 
 
 def _looking(situation: Situation, anchor: Placement, turn: float, distance: float, cost: float) -> Idea:

@@ -152,7 +152,9 @@ class Situation:
     @cached_property
     def clearances(self) -> Rects:
         """The floor that people need who use what stands here, for doors, drawers and themselves."""
-        others = [p for p in self.solid if p.id not in self.relatives]
+        case = self.facts.is_in("cases")
+        beside_it = {p.id for p in self.solid if case and facts_of(p.category).is_in("cases")}
+        others = [p for p in self.solid if p.id not in self.relatives or p.id in beside_it]
         boards = Rects.of_placements(tuple(p for p in others if p.position[2] >= 0.5 and is_board(p.category)))
         written_at = beside(boards, "front", BEFORE_BOARD)
         hung = [(p, use) for p in others if p.position[2] >= 0.5 for use in facts_of(p.category).uses]
@@ -170,17 +172,21 @@ class Situation:
         return joined(zones)
 
     @cached_property
-    def views(self) -> Rects:
-        """The floor between lounge seats and what they look at across the room, where both stand."""
-        rows = []
+    def looked_across(self) -> tuple[tuple[Placement, Placement], ...]:
+        """Lounge seats that stand, each with what the plan has it look at, or look at it: a screen, a fire."""
+        found = []
         for target in self.observation.plan.targets:
             looks = (a for tie in target.ties if tie.kind in ("opposite", "facing") for a in tie.anchors)
             for other in self.placed(tuple(looks)) if target.id in self.scene else ():
-                one = self.scene[target.id]
-                seats = [p for p in (one, other) if facts_of(p.category).is_in("lounges")]
-                if len(seats) == 1 and one.position[2] < ON_FLOOR > other.position[2]:
-                    rows.append(_between(one, other))
-        return Rects.of(rows)
+                pair = sorted((self.scene[target.id], other), key=lambda p: not is_lounge(p.category))
+                if [is_lounge(p.category) for p in pair] == [True, False] and pair[0].position[2] < ON_FLOOR:
+                    found.append((pair[0], pair[1]))
+        return tuple(found)
+
+    @cached_property
+    def views(self) -> Rects:
+        """The floor between lounge seats and what they look at across the room, where both stand."""
+        return Rects.of([_between(seat, other) for seat, other in self.looked_across])
 
     @cached_property
     def promised(self) -> Rects:
@@ -346,6 +352,11 @@ def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, floa
 def is_seat(category: str) -> bool:
     """Whether people sit on such a thing."""
     return facts_of(category).is_in("seating")
+
+
+def is_lounge(category: str) -> bool:
+    """Whether people lean back in such a thing."""
+    return facts_of(category).is_in("lounges")
 
 
 def is_board(category: str) -> bool:
