@@ -240,7 +240,7 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         by = hung.at_openings(situation, tie.kind, place) if place in ("door", "window") and not dresses else ()
         return (*by, *hung.on_walls(situation, place))
     if situation.asset.mount == "ceiling":
-        return hung.from_ceiling(situation)
+        return _over_corner(situation, tie) if tie.kind == "in_corner" else hung.from_ceiling(situation)
     if not situation.asset.collides and place == "door":
         return open_floor.at_doors(situation)
     if tie.kind == "in_corner" or place == "corner":
@@ -282,6 +282,15 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
         if _is_sat_round(situation):
             yield _out_of_corner(situation, idea)
         yield idea
+
+
+def _over_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
+    """From the ceiling, with room between it and the walls of a corner."""
+    z = round(situation.room.height - situation.size[2], 3)
+    above = Constraint(kind="above", anchors=("floor",), values=(z,))
+    for flush in _in_corner(situation, tie):
+        x, y, _ = (idea := _out_of_corner(situation, flush)).position
+        yield replace(idea, position=(x, y, z), words=(*idea.words, above), why="it hangs in the corner")
 
 
 def _is_sat_round(situation: Situation) -> bool:
