@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import islice
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
@@ -29,8 +30,8 @@ def with_answers(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_alone(found: Sequence[Chunk]) -> bool:
     """Whether the last chunk begins a sentence, fillers aside."""
-    before = [chunk for chunk in found[:-1] if not is_link(chunk, "fillers")]
-    return not before or is_link(before[-1], "mark", "stop", "semicolon", "colon")
+    before = next((chunk for chunk in islice(reversed(found), 1, None) if not is_link(chunk, "fillers")), None)
+    return before is None or is_link(before, "mark", "stop", "semicolon", "colon")
 
 
 def _answered(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[Noun, int]:

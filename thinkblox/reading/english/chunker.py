@@ -313,11 +313,13 @@ class Cutter:
     def _other_one(self, noun: Noun | None) -> Noun | None:
         """The pronoun of "one holds three mugs, the other five plates", where a verb is left out."""
         words = [self._text_at(self.at), self._text_at(self.at + 1)]
+        if words not in (["the", "other"], ["another", "one"]):
+            return noun
         after = self.at + len(words)
         counted = noun is not None and noun.kind == "thing" and noun.end > after
         counted &= after < len(self.tokens) and self._is_count(after)
         told = any(isinstance(chunk, Noun) and chunk.value == "one" for chunk in self.made)
-        if not counted or not told or words not in (["the", "other"], ["another", "one"]):
+        if not counted or not told:
             return noun
         if any(isinstance(chunk, Noun) and noun is not None and chunk.value == noun.value for chunk in self.made):
             return noun
