@@ -82,7 +82,9 @@ def _complete(brief: Brief, rng: np.random.Generator, fill: Fill, *, always: boo
         there = [request.category for request in brief.requests]
         if (always and not need.always) or not need.arises(there) or any(map(need.is_met_by, there)):
             continue
-        forms = [_with(brief, found, fill) for option in need.options if (found := _wanted(brief, option, ()))]
+        unlike = need.despite.split(", ")
+        found = [_wanted(brief, option, (), unlike) for option in need.options]
+        forms = [_with(brief, option, fill) for option in found if option]
         forms = [form for form in forms if _has_room(brief, form, _CLOSE)]
         brief = forms[int(rng.integers(len(forms)))] if forms else brief
     return brief
@@ -181,9 +183,14 @@ def _is_laid(option: Option) -> bool:
     return any(kind == "on" for kind, _, _ in option[0].relations)
 
 
-def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Option:
-    """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent."""
-    there = [request.category for request in brief.requests]
+def _wanted(
+    brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike: Sequence[str] = ()
+) -> Option:
+    """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent.
+
+    What is `unlike` does not do instead.
+    """
+    there = [request.category for request in brief.requests if request.category not in unlike]
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()

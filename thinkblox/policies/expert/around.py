@@ -54,7 +54,7 @@ class Place(NamedTuple):
 def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Drawn up to the working side of a desk (its front), or to any side of a table without a front."""
     sides = ("front",) if situation.scene.asset_of(anchor).front == "one" else tuple(SIDES)
-    sides = _away_from_cook(situation, anchor, sides)
+    sides = _away_from_cook(anchor, sides)
     for rank, side in enumerate(sides):
         if tie.count > 1:
             places = _company_at(anchor, side, tie)
@@ -65,13 +65,10 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
             yield from seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
 
 
-def _away_from_cook(situation: Situation, anchor: Placement, sides: tuple[str, ...]) -> tuple[str, ...]:
-    """The sides of an island at which one sits: the long one where nobody cooks comes first."""
-    if not facts_of(anchor.category).is_in("sat_around") or not facts_of(anchor.category).is_in("worktops"):
-        return sides
-    built = [p for p in situation.solid if p.id != anchor.id and facts_of(p.category).is_in("built_in_line")]
-    before = [anchor.to_local(p.position[:2])[0] > 0.0 for p in built]
-    return ("back", "front") if before and all(before) else sides
+def _away_from_cook(anchor: Placement, sides: tuple[str, ...]) -> tuple[str, ...]:
+    """The sides of an island at which one sits: its back, where the worktop stands out over the knees, comes first."""
+    sat_at = facts_of(anchor.category).is_in("sat_around") and facts_of(anchor.category).is_in("worktops")
+    return ("back", "left", "right", "front") if sat_at else sides
 
 
 def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:

@@ -386,6 +386,7 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
     middle = runs.middle_of_run(situation, anchor)
+    face = face or (situation.facts.is_in("stands_free") and situation.facts.is_in("worktops"))
     for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why, middle=middle):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
