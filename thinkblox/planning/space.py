@@ -44,6 +44,8 @@ _BETWEEN_MATS = 0.5
 """Free floor between mats in rows [m]."""
 _IN_RUN = 0.03
 """Free width between neighbours in a run [m]."""
+_GROWN = 0.4
+"""By how much a run may come out longer, for what stands on its worktops [m]."""
 _LONG_RUN = 5.0
 """What is longer goes round a corner [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -128,17 +130,19 @@ def across_need(brief: Brief) -> float:
             needs.append(
                 sum(_size(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
             )
-    return round(min(MAX_SIDE, max(*needs, min(_run_length(brief), _LONG_RUN))), 1)
+    if run := run_length(brief):
+        needs.append(min(run + _GROWN, _LONG_RUN))
+    return round(min(MAX_SIDE, max(needs)), 1)
 
 
-def _run_length(brief: Brief) -> float:
-    """How long the longest of the runs is that are built in one line [m]."""
+def run_length(brief: Brief) -> float:
+    """How long the longest of the runs is that are built in one line [m]; 0 where there is none."""
     lengths: Counter[str] = Counter()
     for request in brief.requests:
         facts = facts_of(request.category)
         if facts.is_in("built_in_line") and _stands(request):
             lengths[facts.run] += request.count * (_size(request)[1] + _IN_RUN)
-    return max(lengths.values(), default=0.0) + _IN_RUN if lengths else 0.0
+    return max(lengths.values(), default=0.0)
 
 
 def _stands(request: Request) -> bool:
