@@ -1,6 +1,5 @@
 """How much floor a brief needs, from the footprints of what it asks for and the room to use them."""
 
-from collections import Counter
 from functools import lru_cache
 
 import numpy as np
@@ -137,11 +136,12 @@ def across_need(brief: Brief) -> float:
 
 def run_length(brief: Brief) -> float:
     """How long the longest of the runs is that are built in one line [m]; 0 where there is none."""
-    lengths: Counter[str] = Counter()
+    lengths: dict[str, float] = {}
     for request in brief.requests:
         facts = facts_of(request.category)
         if facts.is_in("built_in_line") and _stands(request):
-            lengths[facts.run] += request.count * (_size(request)[1] + _IN_RUN)
+            own = request.count * (_size(request)[1] + _IN_RUN)
+            lengths[facts.run] = lengths.get(facts.run, 0.0) + own
     return max(lengths.values(), default=0.0)
 
 

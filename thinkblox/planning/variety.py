@@ -194,9 +194,7 @@ def _is_laid(option: Option) -> bool:
     return any(kind == "on" for kind, _, _ in option[0].relations)
 
 
-def _wanted(
-    brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike: Sequence[str] = ()
-) -> Option:
+def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike: Sequence[str] = ()) -> Option:
     """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent.
 
     What is `unlike` does not do instead.
