@@ -169,16 +169,16 @@ def _astray(scene: Scene, target: Target) -> str:
             return "there was no room left for it at a wall"
         elif tie.kind == "in_corner" and _amid(scene, target.id):
             return "there was no room left for it in a corner or at a wall"
-        elif (
-            tie.kind == "next_to" and facts_of(target.category).is_in("built_in_line") and not _joins(scene, target.id)
-        ):
+        elif tie.kind == "next_to" and not _joins(scene, target.id):
             return "there was no room left for it in the run"
     return "it would stand before storage" if _bars_storage(scene, target.id) else ""
 
 
 def _joins(scene: Scene, id: str) -> bool:
-    """Whether it stands flush with another of its run."""
+    """Whether it stands flush with another of its run, if it is built in one."""
     own = scene[id]
+    if not facts_of(own.category).is_in("built_in_line"):
+        return True
     run = (p for p in scene.placements if p.id != id and facts_of(p.category).runs_with(facts_of(own.category)))
     return any(
         turn_between(p.yaw, own.yaw) < 1.0
@@ -200,10 +200,10 @@ def _bars_storage(scene: Scene, id: str) -> bool:
 
 
 def _stands(scene: Scene, placement: Placement) -> bool:
-    seat = facts_of(placement.category).is_in("seats")
-    return (
-        placement.support == "floor" and scene.asset_of(placement).collides and not seat and placement.position[2] < 0.1
-    )
+    """Whether it takes up floor, and is not drawn aside as a seat is."""
+    asset = scene.asset_of(placement)
+    solid = asset.collides and asset.mount == "floor" and placement.support == "floor"
+    return solid and not facts_of(placement.category).is_in("seats")
 
 
 def _is_taken_from(scene: Scene, placement: Placement) -> bool:
