@@ -68,6 +68,8 @@ BY_ANOTHER = 2.0
 """Cost of standing by another of the anchor's kind than its own."""
 UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
+OUT_OF_RUN = 8.0
+"""Cost of a place that breaks the run that is built in one line."""
 _TURNED = ("facing", "facing_away")
 """Relations that say how a thing is turned, not where it stands."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
@@ -104,8 +106,9 @@ def from_ties(situation: Situation) -> list[Idea]:
     if lined:
         ties = tuple(tie for tie in ties if tie.kind == "in_rows")
     paired = [] if lined else list(partners.partner_ideas(situation))
-    paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
-    dear = UNPAIRED if paired else 0.0
+    lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
+    dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
+    paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
     if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
@@ -405,6 +408,7 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
     middle = runs.middle_of_run(situation, anchor)
+    face = face or (situation.facts.is_in("stands_free") and situation.facts.is_in("worktops"))
     for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why, middle=middle):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
