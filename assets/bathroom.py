@@ -210,7 +210,10 @@ def utility_sink(spec: Spec) -> Build:
             disc(GREY_METAL, (0.03, at), 0.035, (floor, floor + 0.004)),
             *(moved(part, (0.0, at, 0.0)) for part in tap(-x / 2 + 0.055, rim, z)),
         ]
-        build.surfaces.append(inner_surface(f"basin {k + 1}", hollow, around(at, pitch - wall), floor))
+        build.surfaces += [
+            inner_surface(f"basin {k + 1}", hollow, around(at, pitch - wall), floor),
+            top_surface(f"ledge {k + 1}", (-x / 2, hollow[0]), (at + 0.05, at + pitch / 2), rim),
+        ]
     return build
 
 

@@ -95,8 +95,12 @@ def bedding(build: Build, spec: Spec, x: Range, y: Range, z: Range, *, blanket: 
             flat=True,
         )
         build.body.append(turned(pillow, 1, 9.0, (x[0] + 0.4, mid, mattress_top + 0.01)))
-    area = ((fold + 0.17, throw[0] - 0.01 if blanket else x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05))
-    build.surfaces.append(top_surface("mattress", *area, z[1]))
+    across = (y[0] + 0.05, y[1] - 0.05)
+    build.surfaces.append(
+        top_surface("mattress", (fold + 0.17, throw[0] - 0.01 if blanket else x[1] - 0.06), across, z[1])
+    )
+    if blanket:
+        build.surfaces.append(top_surface("throw", (throw[0] + 0.03, throw[1] - 0.03), across, z[1] + 0.006))
 
 
 def bunk_bed(spec: Spec) -> Build:

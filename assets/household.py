@@ -135,7 +135,7 @@ def drying_rack(spec: Spec) -> Build:
             )
             for a in (-1, 1)
         ]
-    count = 6
+    count = 10
     for k in range(count):
         at = -x / 2 + 0.03 + k * (x - 0.06) / (count - 1)
         body.append(cylinder(STEEL, around(at, 0.012), around(0, y), (z - 0.012, z), axis=1))
@@ -146,7 +146,7 @@ def drying_rack(spec: Spec) -> Build:
     body += [cylinder(STEEL, around(s * (x / 2 - 0.012), 0.024), around(0, y), (0, 0.024), axis=1) for s in (-1, 1)]
     for at, finish in ((-0.25 * y, WHITE_COTTON), (0.2 * y, spec.style.accent)):
         body.append(box(finish, (0.1 * x - 0.004, 0.1 * x), around(at, 0.42), (0.45 * z, z - 0.02)))
-    return Build(body=body)
+    return Build(body=body, surfaces=[top_surface("bars", (-x / 2 + 0.03, x / 2 - 0.03), around(0, y - 0.06), z)])
 
 
 def vacuum_robot(spec: Spec) -> Build:

@@ -54,6 +54,14 @@ def test_a_pair_leaves_just_the_room_between_that_a_third_needs(prompt: str, pai
     assert all(apart(of(prompt, middle)[0], each) <= NEXT_TO for each in of(prompt, pair))
 
 
+def test_a_table_in_a_corner_is_as_far_from_the_walls_as_the_seats_all_round_it_need():
+    assert unmet("A kitchen with only a breakfast table in the corner and three stools around it.") == []
+
+
+def test_what_dries_lies_on_the_airer_and_a_sponge_on_the_sink():
+    assert unmet("A laundry room with only a utility sink with a sponge on it and a drying rack with two towels on it.") == []
+
+
 def test_what_comes_between_every_two_of_a_row_has_its_gap():
     prompt = "A spa with four recliners in a row and a side table between every two recliners."
     assert unmet(prompt) == []

@@ -425,7 +425,7 @@ from thinkblox.reading import read_brief
          ["8 chair at_long_side conference_table"]),
         ("A table by the door, and two chairs that are round.", ["1 dining_table next_to door"]),
         ("An X-ray light box on the wall, 2 x stools and two X-ray tables.", ["1 light_box on wall", "2 stool"]),
-        ("A shelf with towels, a counter with a glove box.", ["2 towels inside shelving_unit", "1 glove_box on counter"]),
+        ("A shelf with towels. A glove box on a counter.", ["2 towels inside shelving_unit", "1 glove_box on counter"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:

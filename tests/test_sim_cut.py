@@ -59,7 +59,9 @@ def agree(cut: Verdict, whole: Verdict) -> bool:
 def _given_up(verdict: Verdict) -> bool:
     """Whether its settle ended in motion: how far it got, and how it struck, says when that was noticed."""
     limits = Physics()
-    return "restless" in verdict.reasons or max(verdict.drift, verdict.drop) > limits.lost or verdict.tilt > limits.toppled
+    return (
+        "restless" in verdict.reasons or max(verdict.drift, verdict.drop) > limits.lost or verdict.tilt > limits.toppled
+    )
 
 
 def _numbers(verdict: Verdict) -> list[float]:

@@ -84,6 +84,8 @@ PILED = 4.0
 """Cost of lying on what is inside a container, rather than on its bottom."""
 SEATED = 0.2
 """Free floor behind a seat that is drawn up to a table by the wall [m]."""
+_OPEN_SIDES, _DRAWN_UP = 2, 0.5
+"""Seats at the sides of a table in a corner that are open, and floor for one between the table and a wall [m]."""
 GATHERED = 1.0
 """Cost per metre from a low table to a lounge seat that stands by a wall instead of before the table."""
 ELSEWHERE = 12.0
@@ -241,7 +243,7 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         by = hung.at_openings(situation, tie.kind, place) if place in ("door", "window") and not dresses else ()
         return (*by, *hung.on_walls(situation, place))
     if situation.asset.mount == "ceiling":
-        return hung.from_ceiling(situation)
+        return _over_corner(situation, tie) if tie.kind == "in_corner" else hung.from_ceiling(situation)
     if not situation.asset.collides and place == "door":
         return open_floor.at_doors(situation)
     if tie.kind == "in_corner" or place == "corner":
@@ -278,8 +280,34 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
     """In the corners that the tie means: any, those of one wall, or the one where two walls meet."""
     meant = {corner.name for corner in corners(situation.room, tie.anchors)}
     for idea in walls.corners(situation):
-        if f"corner of {' and '.join(idea.words[0].anchors)}" in meant:
-            yield idea
+        if f"corner of {' and '.join(idea.words[0].anchors)}" not in meant:
+            continue
+        if _is_sat_round(situation):
+            yield _out_of_corner(situation, idea)
+        yield idea
+
+
+def _over_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
+    """From the ceiling, with room between it and the walls of a corner."""
+    z = round(situation.room.height - situation.size[2], 3)
+    above = Constraint(kind="above", anchors=("floor",), values=(z,))
+    for flush in _in_corner(situation, tie):
+        x, y, _ = (idea := _out_of_corner(situation, flush)).position
+        yield replace(idea, position=(x, y, z), words=(*idea.words, above), why="it hangs in the corner")
+
+
+def _is_sat_round(situation: Situation) -> bool:
+    """Whether more will sit about it than have room at the two sides that a corner leaves open."""
+    ties = (tie for t in situation.followers for tie in t.ties if situation.target.id in tie.anchors)
+    return any(tie.kind == "around" and tie.count > _OPEN_SIDES for tie in ties)
+
+
+def _out_of_corner(situation: Situation, idea: Idea) -> Idea:
+    """As far from both walls of the corner as the seats on these sides take."""
+    inward = [wall.inward for wall in situation.room.walls if wall.name in idea.words[0].anchors]
+    x, y = (at + _DRAWN_UP * sum(way[axis] for way in inward) for axis, at in enumerate(idea.position[:2]))
+    words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
+    return Idea((x, y, 0.0), idea.yaw, words, "seats fit between it and both walls of the corner", idea.cost - AMID)
 
 
 def _turned_to(situation: Situation, marks: Sequence[Landmark], kind: str) -> Iterator[Idea]:

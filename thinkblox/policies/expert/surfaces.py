@@ -61,6 +61,8 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
         yield from _on_those(situation, anchor, tie, surfaces)
         return
     below = tuple(s for s in surfaces if s.headroom is not None)
+    if facts_of(anchor.category).is_in("beds"):
+        tops, below = tops[:1], (*tops[1:], *below)
     high = not tie.asked and any(anchor.position[2] + top.position[2] > REACHED for top in tops)
     shelved = (high or not situation.target.asked) and bool(below) and facts_of(anchor.category).is_in("shelves")
     first, then = (below, tops) if shelved else (tops, below)
