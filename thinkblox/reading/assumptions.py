@@ -40,6 +40,10 @@ _MOST_MEET = 12
 """More people than this do not all meet at one table."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
+_MANY, _MOST_WALLS = 4, 3
+"""So many along the walls stand at several, and at how many at most: one has the door."""
+_FAR_WORDS = 5
+"""So many words further on a place is still that of a thing."""
 _SINGLE = "single"
 _TILL = "cash_register"
 _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
@@ -96,6 +100,18 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
         goods = [t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")]
         _fill_shelves(goods, told, _MOST_STOCKED)
+
+
+def spread_along_walls(draft: Draft) -> None:
+    """Share many cases that stand "along the walls" out over several walls; counts are settled by now."""
+    said = [word.text.lower() for word in draft.account]
+    for bond in draft.bonds:
+        words, count = bond.subject.text.lower().split(), bond.subject.count or 1
+        if bond.kind != "against_wall" or bond.anchors != ("wall",) or bond.each or bond.spread or bond.negated:
+            continue
+        after = (said[at + 1 : at + _FAR_WORDS] for at, word in enumerate(said) if words and word == words[-1])
+        if count >= _MANY and bond.asked and any("walls" in rest and "two" not in rest for rest in after):
+            bond.spread = min(_MOST_WALLS, count // 2)
 
 
 def complete_sets(draft: Draft) -> None:
@@ -174,7 +190,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
     As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
-    chairs, and what is assumed for another table, are no seats for it; several chairs are not who works behind a desk's.
+    chairs, and what is assumed for another table, are no seats for it; many chairs are not those behind a desk.
 
     Args:
         draft: what was read.
