@@ -175,11 +175,9 @@ def pull_up(draft: Draft) -> None:
             continue
         drawn = bond.subject.many and habits.tie(bond.subject.noun, anchor.noun) == "at"
         seen = habits.is_in(bond.subject.noun, "wallpieces") and habits.is_in(anchor.noun, "seating", "seats")
-        usual = {habit.kind for habit in habits.of(bond.subject.noun)}
-        served = usual == {"on"} and habits.is_in(anchor.noun, "served_over")
         if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
             bond.kind = "at"
-        elif bond.kind in ("next_to", "near", "at") and served:
+        elif bond.kind in ("next_to", "near", "at") and habits.is_served_on(bond.subject.noun, anchor.noun):
             bond.kind = "on"
         elif bond.kind == "in_front_of" and seen:
             bond.anchors = (bond.subject,)

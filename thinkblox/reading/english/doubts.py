@@ -125,6 +125,8 @@ class Doubts(Corrections):
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
         """What is said of a thing that has to lie on something, or cannot."""
         thing, carried = bond.subject, self._is_carried(bond.subject)
+        if self.habits.is_served_on(thing.noun, anchor.noun):
+            return ""
         hung = self.habits.is_in(thing.noun, "tops", "screens")
         hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
