@@ -208,7 +208,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
-        own = kind == "behind"
+        own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
         told = draft.excluded if own else (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
