@@ -809,3 +809,32 @@ def test_a_list_of_entries_with_their_numbers_is_no_numbered_list() -> None:
         ("desk_lamp", 1),
         ("monitor", 1),
     }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A dining room for eight with a sideboard and a lamp over the table.", {"dining_table": 1, "chair": 8}),
+        ("A dining room for eight with a table and chairs.", {"dining_table": 1, "chair": 8}),
+        ("A dining room for six with two tables.", {"dining_table": 2, "chair": 6}),
+        ("An office for six people with desks, monitors and chairs.", {"desk": 6, "monitor": 6, "chair": 6}),
+        ("A small shower room with a toilet and a basin.", {"shower_cabin": 1, "toilet": 1, "washbasin": 1}),
+        ("A waiting room with ten chairs and a reception desk.", {"chair": 10, "office_chair": 1}),
+    ],
+)
+def test_what_the_name_of_a_room_and_its_people_imply(prompt: str, counts: dict[str, int]) -> None:
+    found = {r.category: r.count for r in read_brief(prompt).requests}
+    assert {name: found.get(name) for name in counts} == counts
+
+
+def test_a_till_at_a_counter_is_on_it_and_a_printer_on_nobodys_desk() -> None:
+    brief = read_brief("A shop with a counter by the door and a till at the counter.")
+    assert "1 cash_register on counter" in related(brief)
+    assert not brief.unknown
+    office = read_brief("An office for four people with desks, chairs and a printer.")
+    assert "filing_cabinet" in {r.category for r in office.requests}
+
+
+def test_shelves_along_the_walls_are_shared_out_over_several() -> None:
+    brief = read_brief("A bookshop with shelves along the walls, and a counter.")
+    assert [r.spread > 1 for r in brief.relations if r.subject == "bookcase"] == [True]

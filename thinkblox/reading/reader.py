@@ -19,6 +19,7 @@ from thinkblox.reading.assumptions import (
     counted_seats,
     draw_up,
     pull_up,
+    spread_along_walls,
     stock,
 )
 from thinkblox.reading.carriers import carry_contents, share_carriers, too_large
@@ -106,6 +107,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     counted = counted_seats(draft)
     uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
+    spread_along_walls(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft, counted if fill == "essentials" else ())
@@ -237,6 +239,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         depth=depth,
         area=area,
         height=height,
+        people=draft.people,
         openings=_openings(draft.openings),
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),

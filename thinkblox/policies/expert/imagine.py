@@ -58,6 +58,8 @@ ROUND_CORNER, SEAT_DEPTH = 1.3, 1.0
 """Depth from which a sofa goes round a corner, and that of its seats without that part [m]."""
 WITHIN_CORNER = 3.0
 """How much better a low table stands within such a sofa than before all of it, which is not before it as measured."""
+BACK_TO_CLASS = 4.0
+"""Cost of another place near a board than before it, over which one looks at the class."""
 SIDE_BY_SIDE = 4.0
 """Cost of two alike one behind the other that are to be next to each other."""
 CROWDED_SIDE = 6.0
@@ -622,7 +624,8 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 
 
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
+    presents = facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back"
+    if presents:
         yield from open_floor.presenting(situation, anchor)
     if _gathers(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
@@ -630,7 +633,8 @@ def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, along)
     for idea in (*walls.along_walls(situation), *walls.corners(situation)):
-        yield _dearer(idea, apart * math.dist(idea.position[:2], anchor.position[:2]))
+        turned_away = BACK_TO_CLASS if presents else 0.0
+        yield _dearer(idea, turned_away + apart * math.dist(idea.position[:2], anchor.position[:2]))
 
 
 _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
