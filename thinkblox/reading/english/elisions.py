@@ -24,6 +24,50 @@ def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
     return [_other_side(whole, at) or chunk for at, chunk in enumerate(whole)]
 
 
+def with_counts(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where a number between commas counts the bare plural before it: "towels, at least ten, on a shelf".
+
+    Nouns named "their own" are as many as what they are said of: "two printers on their own desks".
+    """
+    whole: list[Chunk] = []
+    for at, chunk in enumerate(chunks):
+        around = [chunks[n] if 0 <= n < len(chunks) else None for n in (at - 1, at + 1)]
+        whole.append(chunk)
+        if isinstance(chunk, Noun) and chunk.kind == "thing" and (own := _owned(chunk, whole[:-1])) is not None:
+            whole[-1] = own
+        elif isinstance(chunk, Noun) and all(isinstance(c, Connector) and c.value == "comma" for c in around):
+            noun = whole[-3] if len(whole) > _PAST else None
+            if isinstance(noun, Noun) and _is_uncounted(noun) and _is_bare_number(chunk):
+                whole[-3:] = [
+                    replace(noun, end=chunk.end, count=chunk.count, least=chunk.least, most=chunk.most, plural=True)
+                ]
+    return whole
+
+
+def _is_uncounted(noun: Noun) -> bool:
+    """Whether it names several without saying how many."""
+    plural = noun.plural or noun.word != noun.text.rpartition(" ")[2].lower()
+    return noun.kind == "thing" and plural and noun.count is None and not noun.det and not (noun.rows or noun.groups)
+
+
+def _is_bare_number(said: Noun) -> bool:
+    """Whether it is a number and nothing else."""
+    plain = not (said.of_known or said.ordinal or said.side or said.rows or said.share or said.every or said.det)
+    return said.kind == "number" and bool(said.count) and plain and not (said.attributes or said.unshown)
+
+
+def _owned(noun: Noun, before: Sequence[Chunk]) -> Noun | None:
+    """The noun with the number of what has it, where it is "their own desks"."""
+    if not noun.text.lower().startswith("their own ") or noun.count is not None or not noun.plural:
+        return None
+    for chunk in reversed(before):
+        if isinstance(chunk, Connector) and chunk.value in ("stop", "semicolon"):
+            return None
+        if isinstance(chunk, Noun) and chunk.kind == "thing":
+            return replace(noun, det="", count=chunk.count) if (chunk.count or 0) > 1 else None
+    return None
+
+
 def _other_side(chunks: Sequence[Chunk], at: int) -> Noun | None:
     """The side that "two on one side, one on the other" leaves out the second time."""
     other, link = chunks[at], chunks[at - 1] if at else None
