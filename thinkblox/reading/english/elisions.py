@@ -7,6 +7,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 
 _DETERMINED = ("a", "the", "another")
+_CORNERS = 4
 _PAST = 2
 """So many chunks further the noun is that a phrase borrows."""
 
@@ -33,7 +34,9 @@ def with_counts(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, chunk in enumerate(chunks):
         around = [chunks[n] if 0 <= n < len(chunks) else None for n in (at - 1, at + 1)]
         whole.append(chunk)
-        if isinstance(chunk, Noun) and chunk.kind == "thing" and (own := _owned(chunk, whole[:-1])) is not None:
+        if isinstance(chunk, Noun) and (corners := _shared_out(chunk, whole[:-1])):
+            whole[-1] = replace(chunk, count=corners, plural=True)
+        elif isinstance(chunk, Noun) and chunk.kind == "thing" and (own := _owned(chunk, whole[:-1])) is not None:
             whole[-1] = own
         elif isinstance(chunk, Noun) and all(isinstance(c, Connector) and c.value == "comma" for c in around):
             noun = whole[-3] if len(whole) > _PAST else None
@@ -54,6 +57,18 @@ def _is_bare_number(said: Noun) -> bool:
     """Whether it is a number and nothing else."""
     plain = not (said.of_known or said.ordinal or said.side or said.rows or said.share or said.every or said.det)
     return said.kind == "number" and bool(said.count) and plain and not (said.attributes or said.unshown)
+
+
+def _shared_out(place: Noun, before: Sequence[Chunk]) -> int:
+    """In how many corners or on how many walls "two kilns, one in each corner" are; 0 where nothing is so said."""
+    led = before[-_PAST - 2 :]
+    if place.kind != "place" or place.value not in ("corner", "wall") or place.det != "each" or place.count:
+        return 0
+    if len(led) != _PAST + 2 or not isinstance(led[0], Noun) or not isinstance(led[2], Noun):
+        return 0
+    whole, one = led[0], led[2]
+    told = whole.kind == "thing" and one.kind in ("pronoun", "number") and one.text.lower() == "one"
+    return (whole.count or 0) if told and 1 < (whole.count or 0) < _CORNERS else 0
 
 
 def _owned(noun: Noun, before: Sequence[Chunk]) -> Noun | None:
