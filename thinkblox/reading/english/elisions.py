@@ -22,7 +22,55 @@ def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
         joined = isinstance(link, Connector) and (link.value == "comma" or (link.sort, link.value) == ("joins", "and"))
         if joined and not _is_told_apart(whole[:at], other):
             whole[at] = _borrowed(said, other)
-    return [_other_side(whole, at) or chunk for at, chunk in enumerate(whole)]
+    return _with_sides([part for at, chunk in enumerate(whole) for part in _parted(whole, at) or [chunk]])
+
+
+def _with_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where "on one side ... on the other side" are the left and the right side."""
+    whole, first = list(chunks), -1
+    for at, chunk in enumerate(whole):
+        if not isinstance(chunk, Noun) or not at or not _is_on(whole[at - 1]):
+            continue
+        before = whole[at - 2] if at > 1 else None
+        if chunk.text.lower().startswith("one side") and chunk.kind in ("part", "place"):
+            counted = isinstance(before, Noun) and before.kind in ("number", "pronoun")
+            first = -1 if counted else at
+        elif first >= 0 and chunk.kind == "part" and chunk.value == "side" and chunk.det == "other":
+            one, alone = whole[first], not _is_of(whole, at)
+            if isinstance(one, Noun) and one.kind == "place" and alone:
+                whole[at] = replace(chunk, kind="pronoun", value="other", text="the other")
+            elif isinstance(one, Noun) and one.kind == "part":
+                whole[first] = replace(one, value="left", det="the", count=None)
+                whole[at] = replace(chunk, value="right", det="the", count=None)
+            first = -1
+    return whole
+
+
+def _is_on(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort == "prepositions" and chunk.value in ("on", "at", "to")
+
+
+def _is_of(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "of" comes after a noun."""
+    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    return isinstance(after, Connector) and after.value == "of"
+
+
+def _parted(chunks: Sequence[Chunk], at: int) -> list[Chunk]:
+    """What a phrase with "the other" is where that is a side, and a noun may follow: "on the other | two chairs"."""
+    if (side := _other_side(chunks, at)) is not None:
+        return [side]
+    said, link = chunks[at], chunks[at - 1] if at else None
+    if not isinstance(said, Noun) or said.kind != "thing" or said.det != "other" or not said.count or said.of_known:
+        return []
+    words = said.text.split()
+    alone = replace(
+        said, kind="pronoun", value="other", end=said.start + 2, text="the other", count=None, attributes=[], unshown=[]
+    )
+    side = _other_side([*chunks[:at], alone], at) if words[:2] == ["the", "other"] and _is_on(link or said) else None
+    if side is None or any(isinstance(c, Noun) and c.value == said.value for c in chunks[:at]):
+        return []
+    return [side, replace(said, start=said.start + 2, det="", text=" ".join(words[2:]))]
 
 
 def with_counts(chunks: Sequence[Chunk]) -> list[Chunk]:

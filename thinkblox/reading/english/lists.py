@@ -7,7 +7,7 @@ from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node
-from thinkblox.reading.english.referents import FURNITURE, is_small
+from thinkblox.reading.english.referents import FURNITURE, is_furniture
 from thinkblox.reading.english.ties import Ties
 
 _FOR_ALL = (
@@ -112,7 +112,7 @@ class Memberships(Ties):
             tie = "next_to"
         if tie is None:
             thing.owner = None
-            if first or is_small(thing) or not self.habits.is_in(thing.noun, *FURNITURE, "storage"):
+            if first or not is_furniture(thing):
                 self.untied.append((thing, head))
             return
         if "shared" in thing.attributes and tie == "next_to" and head.many:

@@ -427,6 +427,11 @@ def is_small(thing: Mention) -> bool:
     return load_habits().is_in(thing.noun, "small")
 
 
+def is_furniture(thing: Mention) -> bool:
+    """Whether it stands on the floor by itself, so that what is listed before it need not have it."""
+    return not is_small(thing) and load_habits().is_in(thing.noun, *FURNITURE, "cases")
+
+
 def is_loose_lamp(thing: Mention) -> bool:
     """Whether it is a lamp of a kind that nobody made, which stands where other things do: a magnifying lamp."""
     return load_habits().is_in(thing.noun, "lamps") and kind_of(thing.noun).plain
