@@ -284,7 +284,8 @@ class Meanings:
             family = self.referents.family(told[0])
             self.referents.parted = family[-1]
             return self._fitting(Meaning(kind, (family[0],), told=True), subjects)
-        whole = self.referents.parted or next(iter(usual or fit or several), None)
+        latest = [t for t in fit[:1] if t is several[0] and load_habits().is_in(t.noun, *_STANDING_ALONE)]
+        whole = self.referents.parted or next(iter(latest or usual or fit or several), None)
         if whole is None:
             return None
         return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
@@ -670,6 +671,9 @@ class Meanings:
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"
         return meaning
+
+_STANDING_ALONE = ("tables", "desks", "counters", "worktops", "storage", "tops", "cases")
+"""What stands on the floor and carries what is said to be on "one of them"."""
 
 
 class Namer:

@@ -284,7 +284,8 @@ class Naming(Several):
             other = next((t for t in self.referents.plural() if t.count), None)
             if other is None:
                 self._lose(noun.start, noun.end)
-        return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
+        family = self.referents.family(other) if other is not None else []
+        return max(1, int(sum(map(self.referents.total, family)) * noun.share)) if family else None
 
     def _is_number_told(self, index: int) -> bool:
         """Whether the number itself comes: "as many mats as there are machines, five"."""

@@ -6,6 +6,7 @@ from dataclasses import replace
 from thinkblox.assets import kind_of
 from thinkblox.assets.palette import COLOURS, with_general
 from thinkblox.assets.plurals import singular
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.knowledge.things import are_alike
@@ -83,6 +84,7 @@ class Referents:
             lambda t: noun.plural and t.noun in (f"{noun.value}_kit", f"{noun.value}_set"),
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
+            lambda t: noun.det == "the" and not noun.unshown and stand_in(t.noun).like == noun.value,
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if not t.many and last_word(t) == word] if lone else []
