@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
@@ -82,6 +83,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_denials,
         with_nouns,
         with_counts,
+        with_asides,
         with_answers,
         with_furniture,
         with_centres,
