@@ -72,7 +72,7 @@ from thinkblox.reading import read_brief
           "1 lab_bench-2 against_wall wall", "1 waste_bin under lab_bench-2"]),
         ("Two tables. The one by the window has a vase, the one in the corner a lamp.",
          ["1 vase on dining_table", "1 table_lamp on dining_table-2"]),
-        ("Framed art all over the walls and a tattoo chair.", ["2 picture on wall"]),
+        ("Framed art all over the walls and a tattoo chair.", ["8 picture on wall"]),
         # What is told again, or with a pronoun, of what the sentence named.
         ("There is the stove, a black one, against the wall. To its left is a basket.",
          ["1 stove against_wall wall", "1 basket left_of stove"]),

@@ -73,7 +73,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     tokens = plainly(_spelt_out(lexicon.tokens(text)))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
-    chunks, noted = cut(lexicon, tokens)
+    spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
+    chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_noughts,
         with_booths,

@@ -18,7 +18,9 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     for at, chunk in enumerate(chunks):
         made.append(chunk)
-        if _is_told_anew(chunks, at):
+        if isinstance(chunk, Noun) and _is_other_of_two(chunks, at):
+            made[-1] = replace(chunk, det="another", count=1)
+        elif _is_told_anew(chunks, at):
             made[-1] = replace(chunk, sort="mark", value="stop")  # type: ignore[type-var]
         elif isinstance(chunk, Noun) and chunk.kind == "pronoun" and is_link(chunks[at - 1], "prepositions"):
             beside = chunk.value == "it" and is_link(chunks[at - 1], "prepositions", *_BESIDE)
@@ -38,6 +40,15 @@ def _is_told_anew(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     known = any(isinstance(c, Noun) and c.kind == "thing" and c.value == noun.value for c in chunks[:at])
     return known and place.sort == "prepositions" and place.value not in _NO_PLACE
+
+
+def _is_other_of_two(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "one slipper under the bed, the other slipper by the door" names a second one."""
+    other = chunks[at]
+    if not isinstance(other, Noun) or other.kind != "thing" or other.det != "other" or other.plural or other.count:
+        return False
+    alike = [c for c in chunks[:at] if isinstance(c, Noun) and c.kind == "thing" and c.value == other.value]
+    return len(alike) == 1 and alike[0].count == 1 and alike[0].text.lower().startswith("one ")
 
 
 def _sentence(chunks: Sequence[Chunk], at: int) -> int:

@@ -123,7 +123,8 @@ class Cutter:
         ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
         goes_on = noun.text.lower().startswith("dead ") or self._text_at(noun.end) == "with"
         if noun.kind == "place" and noun.value == "centre" and (ends or goes_on):
-            return self._after_noun() and not noun.det and self._text_at(noun.end) != ":"
+            told = self._after_noun() or (goes_on and self._text_at(self.at - 1) == "," and len(self.made) > 1)
+            return told and not noun.det and self._text_at(noun.end) != ":"
         if noun.kind != "part" or noun.det not in ("each", "either", "both") or not self.made:
             return False
         return isinstance(self.made[-1], Noun) and self.made[-1].kind in ("thing", "number", "pronoun")
@@ -137,7 +138,7 @@ class Cutter:
         if length := self._numbering():
             return Connector("fillers", "words", self.at, self.at + length, token.shown)
         if token.kind == "mark":
-            value = _MARKS.get(token.text)
+            value = _MARKS.get(token.text) if not self._is_asked_where() else ""
             return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Connector("prepositions", "with", self.at, self.at + 2, "w/")
@@ -155,6 +156,15 @@ class Cutter:
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         return self._words()
+
+    def _is_asked_where(self) -> bool:
+        """Whether "On the bench?" is asked, which only says where what follows is."""
+        asked = [*self.made[-3:]]
+        begins = len(asked) < len(("?", "on", "bench")) or (isinstance(asked[0], Connector) and asked[0].value == "stop")
+        link, noun = (*asked[-2:], None, None)[:2]
+        placing = isinstance(link, Connector) and link.sort == "prepositions"
+        more = self.at + 1 < len(self.tokens) and self.tokens[self.at].text == "?"
+        return begins and placing and isinstance(noun, Noun) and noun.definite and more
 
     def _is_said_of_it(self) -> bool:
         """Whether what comes is to be left as it is: "leave the door open"."""
