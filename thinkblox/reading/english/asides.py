@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
 
 _NO_PLACE = ("with", "of", "for")
@@ -16,10 +17,15 @@ _OTHERS = ("the other two", "the others", "the other ones")
 def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what is told in passing is told by itself, or of what it is told of."""
     made: list[Chunk] = []
+    chunks = _bracketed(chunks)
     for at, chunk in enumerate(chunks):
         made.append(chunk)
         if isinstance(chunk, Noun) and _is_other_of_two(chunks, at):
             made[-1] = replace(chunk, det="another", count=1)
+        elif isinstance(chunk, Connector) and _is_before_filler(chunks, at):
+            made[-1] = replace(chunk, sort="fillers", value="words")
+        elif isinstance(chunk, Connector) and _is_for_what_lies_there(chunks, at):
+            made[-1] = replace(chunk, value="with")
         elif _is_told_anew(chunks, at):
             made[-1] = replace(chunk, sort="mark", value="stop")  # type: ignore[type-var]
         elif isinstance(chunk, Noun) and chunk.kind == "pronoun" and is_link(chunks[at - 1], "prepositions"):
@@ -40,6 +46,38 @@ def _is_told_anew(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     known = any(isinstance(c, Noun) and c.kind == "thing" and c.value == noun.value for c in chunks[:at])
     return known and place.sort == "prepositions" and place.value not in _NO_PLACE
+
+
+def _bracketed(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with brackets for dashes around adjectives alone: "a table - round, of course - stands there"."""
+    made = list(chunks)
+    dashes = [at for at, chunk in enumerate(made) if is_link(chunk, "mark", "dash")]
+    for one, other in pairwise(dashes):
+        inner = made[one + 1 : other]
+        plain = all(isinstance(c, Adjective) or is_link(c, "fillers") or is_link(c, "mark", "comma") for c in inner)
+        if plain and any(isinstance(c, Adjective) for c in inner):
+            for at, value in ((one, "open"), (other, "close")):
+                mark = made[at]
+                made[at] = replace(mark, value=value) if isinstance(mark, Connector) else mark
+    return made
+
+
+def _is_before_filler(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a comma only sets off words that say nothing, before a dash or bracket ends: "- round, of course -"."""
+    filler, mark = (*chunks[at + 1 : at + 3], None, None)[:2]
+    return (
+        is_link(chunks[at], "mark", "comma") and is_link(filler, "fillers") and is_link(mark, "mark", "dash", "close")
+    )
+
+
+def _is_for_what_lies_there(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "a side table for a lamp" is one with a lamp on it."""
+    table, thing = (*chunks[max(at - 1, 0) : at + 2 : 2], None, None)[:2]
+    if not is_link(chunks[at], "prepositions", "for") or not isinstance(table, Noun) or not isinstance(thing, Noun):
+        return False
+    both = table.kind == thing.kind == "thing" and thing.det == "a" and thing.named
+    habits = load_habits()
+    return both and habits.is_in(table.value, "tables") and habits.is_in(thing.value, "small")
 
 
 def _is_other_of_two(chunks: Sequence[Chunk], at: int) -> bool:
@@ -79,4 +117,3 @@ def _other_two(chunks: Sequence[Chunk], at: int) -> list[Chunk]:
         return []
     one, two = (replace(c, start=other.start, end=other.end, det="the", count=None) for c in others)
     return [one, Connector("joins", "and", other.start, other.start), replace(two, start=other.end, end=other.end)]
-

@@ -15,7 +15,20 @@ _AGAIN = ("and", "&", "upon")
 _BY = ("x", "by", "and")
 """What joins the numbers of rows and columns."""
 _PAIRS_OF = (["pair", "of"], ["pairs", "of"])
-_DRINKS = ("wine", "water", "beer", "drink", "drinks", "champagne", "juice", "bottle", "jug", "carafe", "pitcher", "bar")
+_DRINKS = (
+    "wine",
+    "water",
+    "beer",
+    "drink",
+    "drinks",
+    "champagne",
+    "juice",
+    "bottle",
+    "jug",
+    "carafe",
+    "pitcher",
+    "bar",
+)
 """Where these are spoken of a pair of glasses is two to drink from."""
 _LONGEST = 6
 """Most words of a name before "each"."""

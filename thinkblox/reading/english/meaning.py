@@ -672,6 +672,7 @@ class Meanings:
             meaning.kind = "inside"
         return meaning
 
+
 _STANDING_ALONE = ("tables", "desks", "counters", "worktops", "storage", "tops", "cases")
 """What stands on the floor and carries what is said to be on "one of them"."""
 

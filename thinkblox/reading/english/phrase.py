@@ -384,7 +384,9 @@ class PhraseReader(Heads):
     def _ends_early(self, noun: Noun, at: int, units: Units) -> bool:
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
         text = self.tokens[at].text
-        if (text == "x" and not self.tokens[at].glued) or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+        if (text == "x" and not self.tokens[at].glued) or (
+            text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)
+        ):
             return True
         if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
             return True

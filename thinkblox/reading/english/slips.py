@@ -26,7 +26,9 @@ def meant_by(lexicon: Lexicon, word: str, also: frozenset[str] = frozenset()) ->
     """
     if (2 < len(word) < _LEAST and word.isascii() and word.isalpha()) and not _is_word(lexicon, word):
         swapped = {word[:n] + word[n + 1] + word[n] + word[n + 2 :] for n in range(len(word) - 1)} & also
-        swapped |= {doubled for doubled in _doubled(word) if len(word) + 1 == _LEAST and doubled in _words(lexicon.code)}
+        swapped |= {
+            doubled for doubled in _doubled(word) if len(word) + 1 == _LEAST and doubled in _words(lexicon.code)
+        }
         return swapped.pop() if len(swapped) == 1 else ""
     if (
         len(word) < _LEAST
