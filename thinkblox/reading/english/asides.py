@@ -26,8 +26,8 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
             made[-1] = replace(chunk, sort="fillers", value="words")
         elif isinstance(chunk, Connector) and _is_for_what_lies_there(chunks, at):
             made[-1] = replace(chunk, value="with")
-        elif _is_told_anew(chunks, at):
-            made[-1] = replace(chunk, sort="mark", value="stop")  # type: ignore[type-var]
+        elif isinstance(chunk, Connector) and _is_told_anew(chunks, at):
+            made[-1] = replace(chunk, sort="mark", value="stop")
         elif isinstance(chunk, Noun) and chunk.kind == "pronoun" and is_link(chunks[at - 1], "prepositions"):
             beside = chunk.value == "it" and is_link(chunks[at - 1], "prepositions", *_BESIDE)
             if beside and (subject := _subject(chunks, at)) is not None:

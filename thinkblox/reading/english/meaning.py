@@ -661,7 +661,7 @@ class Meanings:
                 "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
             )
             lies = usual == "on" and is_small_name(name)
-            meaning.kind = usual if usual in ("at", "around") or lies else seated if name else "at"
+            meaning.kind = usual if usual and (usual in ("at", "around") or lies) else seated if name else "at"
         elif meaning.kind in ("per", "for") and name:
             lying = "at" if habits.is_in(anchor.noun, "seats", "chairs") else "on"
             meaning.kind = usual or (lying if subjects and is_small(subjects[-1]) else "next_to")

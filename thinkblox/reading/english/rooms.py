@@ -48,7 +48,8 @@ class Rooms(Memberships):
             return
         if self._is_another_room(noun):
             if noun.value == "kitchen" and self.draft.room in _WITH_KITCHENS:
-                self._thing(replace(noun, kind="thing", value=f"{noun.value}ette", room=""))
+                self.at -= 1
+                self.chunks[self.at] = replace(noun, kind="thing", value=f"{noun.value}ette", room="")
                 return
             self.draft.rooms.append(noun.text)
             return
