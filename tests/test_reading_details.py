@@ -137,7 +137,7 @@ from thinkblox.reading import read_brief
          ["1 pegboard above workbench", "1 tools on pegboard", "1 wall_bicycle on left_wall"]),
         ("A counter and open shelves with mugs above the sink.", ["2 wall_shelf above sink"]),
         ("A mug on the kitchen counter, next to the sink.", ["1 cup next_to sink", "1 cup on base_cabinet"]),
-        ("A table with a vase with a single flower.", ["1 flower inside vase"]),
+        ("A table with a vase with a single flower.", ["1 cut_flower inside vase"]),
         ("A cello on a stand.", ["1 cello on guitar_stand"]),
         ("A fruit bowl with apples on the counter.", ["3 apple inside fruit_bowl", "1 fruit_bowl on counter"]),
         ("A vase with two roses on the table.", ["2 cut_flower inside vase", "1 vase on dining_table"]),
