@@ -17,6 +17,9 @@ from thinkblox.assets.part import Build, Finish, Part
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, inner_surface, rod, top_surface
 from thinkblox.assets.spec import Spec
 
+_RIM = 0.03
+"""How far a sink stands out above its worktop [m]."""
+
 
 def hob(spec: Spec) -> Build:
     """Return a flat glass hob that lies on a worktop."""
@@ -64,20 +67,20 @@ def microwave(spec: Spec) -> Build:
 
 
 def sink(spec: Spec) -> Build:
-    """Return a basin with a rim and a tap, that stands on a worktop."""
+    """Return a basin set into a worktop: a low rim about a dark bowl, and a tap."""
     x, y, z = spec.size
-    deep = min(0.16, 0.6 * z)
+    deep, floor = min(_RIM, 0.6 * z), 0.006
     rim = STEEL if spec.category == "sink" else spec.main(Finish((0.95, 0.95, 0.93), "ceramic"))
     hollow = ((-x / 2 + 0.1, x / 2 - 0.04), (-y / 2 + 0.04, y / 2 - 0.04))
     body = [
         box(rim, (-x / 2, hollow[0][0]), (-y / 2, y / 2), (0, deep)),
         box(rim, (hollow[0][1], x / 2), (-y / 2, y / 2), (0, deep)),
         *(box(rim, hollow[0], (s * y / 2, s * (y / 2 - 0.04)), (0, deep)) for s in (-1, 1)),
-        box(rim, *hollow, (0, 0.02)),
-        disc(GREY_METAL, (0.03, 0), 0.03, (0.02, 0.024)),
+        box(GREY_METAL, *hollow, (0, floor)),
+        disc(IRON, (0.03, 0), 0.03, (floor, floor + 0.003)),
     ]
     body += tap(-x / 2 + 0.05, deep, z)
-    return Build(body=body, surfaces=[inner_surface("basin", *hollow, 0.02)])
+    return Build(body=body, surfaces=[inner_surface("basin", *hollow, floor)])
 
 
 def tap(x: float, low: float, high: float) -> list[Part]:

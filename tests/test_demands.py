@@ -286,3 +286,8 @@ def test_a_long_list_is_cut_short() -> None:
     report = made(brief(request("table", unshown=("a", "b", "c", "d", "e", "f")))).report
     assert printing.outcome(report).endswith("; and 2 more")
     assert all(isinstance(demand, Demand) for demand in report.demands)
+
+
+def test_a_room_that_seats_fewer_than_it_is_for_says_so() -> None:
+    asked = (request("table"), request("chair", count=2))
+    assert "seat: 2 of 3, asked for 3" in shortfalls(made(brief(*asked, room_type="dining_room", people=3)).report)

@@ -155,6 +155,20 @@ def test_every_dressing_has_a_shape_and_lies_on_something() -> None:
     assert {noun for noun in things if kind_of(noun).mount != "surface"} == set()
 
 
+def test_shelves_that_are_hung_carry_things_and_nothing_added_bars_storage(lived_in: Generation) -> None:
+    scene, added = lived_in.scene, [t.id for t in lived_in.plan.targets if not t.asked and t.id in lived_in.scene]
+    assert all(scene.resting_on(id) for id in added if scene[id].category == "wall_shelf")
+    for storage in (p for p in scene.placements if p.category in ("bookcase", "shelving_unit")):
+        for plant in (scene[id] for id in added if scene[id].category == "plant"):
+            ahead, aside = storage.to_local(plant.position[:2])
+            out, width = ahead - (storage.size[0] + plant.size[0]) / 2, (storage.size[1] + plant.size[1]) / 2
+            assert abs(aside) > width - 0.05 or out > 0.5 or ahead < 0.0
+
+
+def test_a_screen_comes_with_what_one_types_on() -> None:
+    assert dressing().kits["monitor"].split(", ")[0] == "keyboard"
+
+
 def test_what_belongs_to_a_wall_is_there_or_left_out(lived_in: Generation) -> None:
     for target in lived_in.plan.targets:
         for tie in target.ties:

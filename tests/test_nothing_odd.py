@@ -195,6 +195,21 @@ def test_a_sink_under_the_window_has_a_cabinet_beside_an_island():
     assert "base_cabinet" not in counts("A kitchen with a sink in the island")
 
 
+def test_appliances_have_worktops_beside_an_island_and_its_stools_are_at_the_plain_back():
+    room = made("A kitchen with a sink, a stove, a fridge and an island with two stools")
+    (sink,), (island,) = placed(room, "sink"), placed(room, "kitchen_island")
+    assert room.report.valid
+    assert len(placed(room, "base_cabinet")) >= 2
+    assert room.scene[sink.support].category == "base_cabinet"
+    assert room.scene.asset_of(sink).surfaces[0].position[2] < 0.02
+    assert all(island.to_local(stool.position[:2])[0] < -island.size[0] / 2 for stool in placed(room, "bar_stool"))
+
+
+def test_a_cabinet_that_a_sink_takes_up_is_no_worktop_for_the_appliances():
+    brief = varied(read_brief("A kitchen with a sink, a stove, an oven, a dishwasher, a fridge and a table"), 0)
+    assert sum(r.count for r in brief.requests if r.category == "base_cabinet") >= 3
+
+
 def test_fairy_lights_hang():
     for said in ("fairy lights", "string lights"):
         lights = read_brief(f"A bedroom with a bed and {said}").requests[1]

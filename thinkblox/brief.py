@@ -168,6 +168,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         width, depth: of the floor [m], where the prompt gives both.
         area: of the floor [m2], where the prompt gives that.
         height: of the room [m], where the prompt gives it.
+        people: how many the room is said to be for; 0 where that is not said.
         style: adjectives about the whole ("calm", "cosy").
         surfaces: what floor and walls are to be like.
         missing: things asked for that are not made, with their count in words.
@@ -188,6 +189,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     depth: AboveZero | None = None
     area: AboveZero | None = None
     height: AboveZero | None = None
+    people: Ordinal = 0
     openings: tuple[OpeningRequest, ...] = ()
     requests: tuple[Request, ...] = ()
     relations: tuple[Relation, ...] = ()

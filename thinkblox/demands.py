@@ -2,10 +2,12 @@
 
 from collections.abc import Collection, Iterator, Sequence
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.showing import realised
 from thinkblox.assets.states import shows_state
 from thinkblox.brief import Brief, Measures, Request
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Plan, Tie
 from thinkblox.planning import openings_wanted
@@ -29,7 +31,7 @@ _AXES = ("deep", "wide", "high")
 def demands_of(scene: Scene, plan: Plan) -> tuple[Demand, ...]:
     """Everything that the prompt asks for and that is no relation, in the order of the brief."""
     brief = plan.brief
-    found = [*_of_room(scene.room, brief), *_of_openings(scene.room, brief)]
+    found = [*_of_room(scene.room, brief), *_of_openings(scene.room, brief), *_of_people(scene, brief)]
     for request in brief.requests:
         if request.asked:
             found += _of_request(scene, request, placed_of(scene, plan, request.key))
@@ -37,6 +39,17 @@ def demands_of(scene: Scene, plan: Plan) -> tuple[Demand, ...]:
     meant = plan.free if len(plan.free) == len(brief.free) else brief.free
     found += [_free(scene, plan, place, part) for place, part in zip(brief.free, meant, strict=True)]
     return tuple(found)
+
+
+def _of_people(scene: Scene, brief: Brief) -> Iterator[Demand]:
+    """Seats for all whom a room is for, where they sit down together or each has a place of their own."""
+    room = room_type(brief.room_type)
+    if not brief.people or not (room.seats_at or room.place):
+        return
+    seats = (p.category for p in scene.placements if load_habits().is_in(p.category, "seats", "seating"))
+    count = sum(max(1, kind_of(category).seats) for category in seats)
+    measured = f"{count} of {brief.people}"
+    yield Demand(kind="count", subject="seat", wanted=f"{brief.people}", holds=count >= brief.people, measured=measured)
 
 
 def placed_of(scene: Scene, plan: Plan, request: str) -> tuple[Placement, ...]:

@@ -16,9 +16,13 @@ from thinkblox.placing import Loop, Placing
 from thinkblox.plan import Target
 from thinkblox.planning.dressing import LEAST, Dresser, Stage
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects, overlap_depth
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.windows import hangs_at_window
+from thinkblox.scene.zones import beside
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
@@ -32,6 +36,10 @@ STAGES: tuple[Stage, ...] = ("furniture", "things", "things", "spare", "things",
 """What is added, one after the other; the later ones only as long as there is too little."""
 _BY_WALL = 0.4
 """What is no further from a wall is not amid the room [m]."""
+_FLUSH = 0.06
+"""What stands in one run is no further apart, and its fronts no further out of line [m]."""
+_BEFORE, _REACHES_IN = 0.6, 0.03
+"""Free floor before storage, and how far something may reach into it [m]."""
 _SALT = 1_000_003
 """Keeps these random choices apart from those of the furniture."""
 
@@ -86,17 +94,30 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     return done
 
 
+def bare_shelves(done: Dressed) -> tuple[str, ...]:
+    """Ids of the shelves that were hung and have nothing on them."""
+    scene = done.world.scene
+    shelves = (p for id in sorted({r.id for r in done.rounds}) if id in scene for p in [scene[id]])
+    hung = (p for p in shelves if facts_of(p.category).is_in("shelves") and scene.asset_of(p).mount == "wall")
+    return tuple(p.id for p in hung if not scene.resting_on(p.id))
+
+
 def undress(
-    done: Dressed, ids: Sequence[str], *, tolerances: Tolerances, requirements: Sequence[Requirement] = ()
+    done: Dressed,
+    ids: Sequence[str],
+    *,
+    tolerances: Tolerances,
+    requirements: Sequence[Requirement] = (),
+    why: str = "it did not stand still once everything was there",
 ) -> None:
-    """Take away some of what was added."""
+    """Take away some of what was added, and note why."""
     scene = done.world.scene
     for id in ids:
         scene = scene.without(id)
     done.world = World(scene, tolerances=tolerances, requirements=requirements)
     done.rounds = [structs.replace(r, kept=r.kept and r.id not in ids) for r in done.rounds]
     targets = (target for target in done.loop.plan.targets if target.id in ids)
-    done.absent += [_absence(target, "it did not stand still once everything was there") for target in targets]
+    done.absent += [_absence(target, why) for target in targets]
 
 
 def _makeable(done: Dressed, targets: Sequence[Target]) -> list[Target]:
@@ -148,7 +169,51 @@ def _astray(scene: Scene, target: Target) -> str:
             return "there was no room left for it at a wall"
         elif tie.kind == "in_corner" and _amid(scene, target.id):
             return "there was no room left for it in a corner or at a wall"
-    return ""
+        elif tie.kind == "next_to" and not _joins(scene, target.id):
+            return "there was no room left for it in the run"
+    return "it would stand before storage" if _bars_storage(scene, target.id) else ""
+
+
+def _joins(scene: Scene, id: str) -> bool:
+    """Whether it stands flush with another of its run, if it is built in one."""
+    own = scene[id]
+    if not facts_of(own.category).is_in("built_in_line"):
+        return True
+    run = (p for p in scene.placements if p.id != id and facts_of(p.category).runs_with(facts_of(own.category)))
+    return any(
+        turn_between(p.yaw, own.yaw) < 1.0
+        and abs(p.to_local(own.position[:2])[0]) < _FLUSH
+        and p.footprint.distance(own.footprint) < _FLUSH
+        for p in run
+    )
+
+
+def _bars_storage(scene: Scene, id: str) -> bool:
+    """Whether it stands so near before what things are taken from, or has something so near before it."""
+    own = scene[id]
+    if not _stands(scene, own):
+        return False
+    others = [p for p in scene.placements if p.id != id and _stands(scene, p)]
+    behind = [p for p in others if _is_taken_from(scene, p)]
+    pairs = [(p, own) for p in behind] + ([(own, p) for p in others] if _is_taken_from(scene, own) else [])
+    return any(_is_before(storage, thing) for storage, thing in pairs)
+
+
+def _stands(scene: Scene, placement: Placement) -> bool:
+    """Whether it takes up floor, and is not drawn aside as a seat is."""
+    asset = scene.asset_of(placement)
+    solid = asset.collides and asset.mount == "floor" and placement.support == "floor"
+    return solid and not facts_of(placement.category).is_in("seats")
+
+
+def _is_taken_from(scene: Scene, placement: Placement) -> bool:
+    stored = facts_of(placement.category).is_in("storage", "shelves")
+    return stored and scene.asset_of(placement).front == "one"
+
+
+def _is_before(storage: Placement, thing: Placement) -> bool:
+    before = beside(Rects.of_placements((storage,)), "front", _BEFORE)
+    return bool(overlap_depth(Rects.of_placements((thing,)), before).max() > _REACHES_IN)
 
 
 def _no_room(carrier: str) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 from msgspec import structs
 
 from thinkblox.assets.source import AssetSource
-from thinkblox.dressing import dress, dresses_nothing, undress
+from thinkblox.dressing import bare_shelves, dress, dresses_nothing, undress
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
@@ -241,6 +241,9 @@ class _Attempt:
 
         done = dress(self.world, loop, attempt=self.number, on_object=told)
         valid = self.report.valid
+        if bare := bare_shelves(done):
+            why = "nothing came to stand on it"
+            undress(done, bare, tolerances=judged.tolerances, requirements=judged.requirements, why=why)
         added = {target.id for target in done.loop.plan.targets[before:]}
         for _ in range(_UNDRESSINGS):
             self.report = report_on(

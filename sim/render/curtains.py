@@ -15,26 +15,27 @@ DEPTH = 0.13
 """How far it stands into the room [m]."""
 ROD = 0.09
 """Height of the rod above the window [m]."""
-_LONG, _SHORT = 0.02, 0.12
-"""Where it ends: above the floor, or below the sill [m]."""
+_LONG, _SHORT, _OVER_SILL = 0.02, 0.12, 0.2
+"""Where it ends: above the floor, below the sill, or above it [m]."""
 FOLDS = 9
 
 
 def curtain_ends(scene: Scene) -> dict[str, float]:
     """The height of the lower edge of the curtains of each window that has them [m], by the window's id.
 
-    They reach the floor where that is free on both sides, the sill where only that is; a window that is hemmed in, or
-    in a room with curtains among its furniture, has none.
+    They reach the floor where that is free on both sides, else the sill, or a little of the pane. All windows are
+    dressed alike: where one is hemmed in, or curtains are among the furniture, none has any.
     """
     if scene.surfaces.curtains is None or any("curtain" in p.category for p in scene.placements):
         return {}
     found: dict[str, float] = {}
     for opening in scene.room.openings:
         if opening.kind == "window" and opening.sill > 0.3:
-            free = (end for end in (_LONG, opening.sill - _SHORT) if _is_free(scene, opening, end))
-            end = next(free, None)
-            if end is not None:
-                found[opening.id] = end
+            ends = (_LONG, opening.sill - _SHORT, opening.sill + _OVER_SILL)
+            end = next((end for end in ends if _is_free(scene, opening, end)), None)
+            if end is None:
+                return {}
+            found[opening.id] = end
     return found
 
 

@@ -39,6 +39,7 @@ class Dressing(Value, frozen=True, kw_only=True):
         varied: categories that come in several colours, separated by commas.
         colours: these, separated by commas.
         spare: what is put up besides where a room has too little to put things on, in the same notation.
+        kits: what comes first onto a top with a thing that is on it and of no use without it, separated by commas.
         rooms: what else stands and hangs in a type of room, in the notation of `RoomType.contents`.
         tops: what is put on what, the first that fits.
     """
@@ -46,6 +47,7 @@ class Dressing(Value, frozen=True, kw_only=True):
     varied: str
     colours: str
     spare: tuple[str, ...]
+    kits: dict[str, str]
     rooms: dict[str, tuple[str, ...]]
     tops: tuple[Tops, ...]
 

@@ -57,6 +57,10 @@ class Habits:
                 return habit.kind
         return None
 
+    def is_served_on(self, category: str, anchor: str) -> bool:
+        """Whether what is at such a counter is on it: it never stands on the floor."""
+        return {habit.kind for habit in self.of(category)} == {"on"} and self.is_in(anchor, "served_over")
+
     def known(self) -> Collection[str]:
         """Every category that has an entry."""
         return self.habits.keys()

@@ -23,12 +23,14 @@ class RoomNeed(Value, frozen=True, kw_only=True):
     Attributes:
         one_of: the forms, in the notation of `RoomChoices.may`.
         unless: categories, and groups of them after an "@", that will do as well, separated by commas.
+        despite: categories that will not do, though they are like what will, separated by commas.
         given: categories without which it is not needed, separated by commas; empty where it always is.
         always: it is needed however much a prompt names.
     """
 
     one_of: tuple[str, ...]
     unless: str = ""
+    despite: str = ""
     given: str = ""
     always: bool = False
 
@@ -43,6 +45,8 @@ class RoomNeed(Value, frozen=True, kw_only=True):
 
     def is_met_by(self, category: str) -> bool:
         """Whether a room with such a thing lacks nothing of it."""
+        if category in self.despite.split(", "):
+            return False
         names = [name for name in self.unless.split(", ") if name]
         groups = [name.removeprefix("@") for name in names if name.startswith("@")]
         others = [name for name in names if not name.startswith("@")]

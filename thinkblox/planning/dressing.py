@@ -118,6 +118,8 @@ class Dresser:
         free = sum(_share(s) * s.size[0] * s.size[1] for s in surfaces) - sum(p.size[0] * p.size[1] for p in resting)
         most = (self._table.most_on(carrier.category, self.plan.brief.room_type) or MOST) - len(resting)
         seats = self._seats_at(carrier)
+        for name in self._kit(resting) if seats else ():
+            yield self._added(name, 1, (Tie(kind="on", anchors=(carrier.id,), asked=False),))
         passes = _PASSES if any(s.headroom is not None for s in surfaces) else 1
         order = [place for _ in range(passes) for place in self._rng.permutation(len(things))]
         first = [place for place in order[: len(things)] if things[place].count >= _MANY]
@@ -138,6 +140,12 @@ class Dresser:
                 most -= count
                 self._laid_out[usual.category] += count
                 yield self._added(usual.category, count, (Tie(kind="on", anchors=(carrier.id,), asked=False),))
+
+    def _kit(self, resting: Sequence[Placement]) -> list[str]:
+        """What the things on a top are of no use without, and is not there."""
+        there = [p.category for p in resting]
+        kit = (name for category in dict.fromkeys(there) for name in self._table.kits.get(category, "").split(", "))
+        return [name for name in kit if name and name not in there and self._is_welcome(name)]
 
     def _seats_at(self, carrier: Placement) -> int:
         """How many seats are drawn up to a table."""

@@ -252,10 +252,18 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     for category in habit.anchors:
         anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
         anchors = [m for m in anchors if m.request is not waiting[0].request and not _is_its_own(m, waiting[0], habit)]
+        if habit.kind == "on" and load_habits().is_in(waiting[0].category, "built_in"):
+            anchors.sort(key=lambda anchor: _built_into(members, anchor))
         waiting = _at_anchors(members, waiting, *_before_waiting(habit, anchors))
         if not waiting:
             break
     return waiting
+
+
+def _built_into(members: Members, anchor: Member) -> int:
+    """How many things are built into it."""
+    built_in = (m for m in members.all if load_habits().is_in(m.category, "built_in"))
+    return sum(tie.kind == "on" and anchor.id in tie.anchors for m in built_in for tie in m.ties)
 
 
 def _is_its_own(anchor: Member, member: Member, habit: Habit) -> bool:

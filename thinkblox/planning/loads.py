@@ -179,10 +179,14 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     top = max(tops, key=lambda s: s.size[0] * s.size[1])
     if top.size[0] * top.size[1] < MOSTLY_TOP * usual[0] * usual[1]:
         return None
-    sizes = [size for load in loads if min((size := usual_size(load, members))[:2]) < TOO_LARGE * max(top.size)]
-    if not sizes:
+    areas = [
+        (x, y) if facts_of(load.category).is_in("built_in") else (x * _VARIED + APART, y * _VARIED + APART)
+        for load in loads
+        if min((size := usual_size(load, members))[:2]) < TOO_LARGE * max(top.size)
+        for x, y, _ in [size]
+    ]
+    if not areas:
         return None
-    areas = [((x * _VARIED + APART), (y * _VARIED + APART)) for x, y, _ in sizes]
     long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
     circle = top.round and min(top.size) > _CIRCLE * max(top.size)
     even, small = circle or usual[0] == usual[1], max(usual[:2]) < SMALL
@@ -191,7 +195,7 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     growth = FREELY if free and (small or member.mount == "wall") else GROWTH if furniture or small else SLIGHT
     factors = (sqrt(growth[0] * growth[1]),) * 2 if even else (growth if long else growth[::-1])
     rim = (usual[0] - top.size[0], usual[1] - top.size[1])
-    growth = (1.0, growth[1]) if member.mount == "wall" else growth
+    growth = (1.0, growth[1]) if member.mount == "wall" or kind.is_in("built_in_line") else growth
     most = [
         max(side, min(factor * whole, high) - edge)
         for side, factor, whole, high, edge in zip(top.size, factors, usual, kind.size_range[1], rim, strict=False)

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from thinkblox.assets import kind_of, revision
+from thinkblox.assets import facts_of, kind_of, revision
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
 from thinkblox.knowledge.habits import load_habits
@@ -41,6 +41,12 @@ _BOARD = 1.8
 """Free depth before a board [m]."""
 _BETWEEN_MATS = 0.5
 """Free floor between mats in rows [m]."""
+_IN_RUN = 0.03
+"""Free width between neighbours in a run [m]."""
+_GROWN = 0.4
+"""By how much a run may come out longer, for what stands on its worktops [m]."""
+_LONG_RUN = 5.0
+"""What is longer goes round a corner [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
 """Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
 
@@ -104,7 +110,10 @@ def wall_needs(brief: Brief) -> Vec2:
 
 
 def across_need(brief: Brief) -> float:
-    """Least longer side of a room with things opposite each other, far apart, or with a third between, as asked [m]."""
+    """Least longer side of a room with things opposite each other, far apart, or with a third between, as asked [m].
+
+    What is built in one line has a wall that it fits along.
+    """
     requests = {request.key: request for request in brief.requests}
     asked = [r for r in brief.relations if r.asked and r.anchors and r.subject in requests]
     needs = [0.0]
@@ -120,7 +129,20 @@ def across_need(brief: Brief) -> float:
             needs.append(
                 sum(_size(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
             )
+    if run := run_length(brief):
+        needs.append(min(run + _GROWN, _LONG_RUN))
     return round(min(MAX_SIDE, max(needs)), 1)
+
+
+def run_length(brief: Brief) -> float:
+    """How long the longest of the runs is that are built in one line [m]; 0 where there is none."""
+    lengths: dict[str, float] = {}
+    for request in brief.requests:
+        facts = facts_of(request.category)
+        if facts.is_in("built_in_line") and _stands(request):
+            own = request.count * (_size(request)[1] + _IN_RUN)
+            lengths[facts.run] = lengths.get(facts.run, 0.0) + own
+    return max(lengths.values(), default=0.0)
 
 
 def _stands(request: Request) -> bool:

@@ -12,11 +12,12 @@ from thinkblox.brief import Brief, Relation, RelationKind, Request
 from thinkblox.fills import Fill
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.goods import goods_in
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.knowledge.variety import Option, do_alike, varieties
 from thinkblox.planning.rooms import is_open
-from thinkblox.planning.space import furniture_area
+from thinkblox.planning.space import furniture_area, run_length
 
 _BARE = 1
 """Things that a prompt names at most, of which most is left open."""
@@ -32,6 +33,8 @@ _FINISHES = 2
 """How many kinds of things on walls and floor come in where much is named."""
 _CLOSE = 1.3
 """By how much more floor than there is what a room needs may take by the handbook."""
+_RUN = 0.85
+"""Share of a wall that a run takes at most, of which the door and the corners take some too."""
 _FIRST = 3
 """The first of so many parts of what a room usually holds is what it is for."""
 _FEWER = 0.4
@@ -108,13 +111,23 @@ def _complete(brief: Brief, rng: np.random.Generator, fill: Fill, *, always: boo
     """The brief with what a room of its type has in one form or another, or only what it `always` has."""
     choices = varieties().of(brief.room_type)
     for need in choices.needs if choices is not None else ():
-        there = [request.category for request in brief.requests]
-        if (always and not need.always) or not need.arises(there) or any(map(need.is_met_by, there)):
+        there = {request.category for request in brief.requests}
+        taken = {request.category for request in brief.requests if _is_taken_up(brief, request)}
+        if (always and not need.always) or not need.arises(there) or any(map(need.is_met_by, there - taken)):
             continue
-        forms = [_with(brief, found, fill) for option in need.options if (found := _wanted(brief, option, ()))]
+        unlike = (*need.despite.split(", "), *taken)
+        found = [_wanted(brief, option, (), unlike) for option in need.options]
+        forms = [_with(brief, option, fill) for option in found if option]
         forms = [form for form in forms if _has_room(brief, form, _CLOSE)]
         brief = forms[int(rng.integers(len(forms)))] if forms else brief
     return brief
+
+
+def _is_taken_up(brief: Brief, request: Request) -> bool:
+    """Whether it is assumed for what is built into it, which leaves nothing of its top."""
+    on = (r for r in brief.relations if r.kind == "on" and request.key in r.anchors)
+    built_in = (load_habits().is_in(brief.request(r.subject).category, "built_in") for r in on)
+    return not request.asked and request.count == 1 and any(built_in)
 
 
 def _is_bare(brief: Brief) -> bool:
@@ -210,9 +223,12 @@ def _is_laid(option: Option) -> bool:
     return any(kind == "on" for kind, _, _ in option[0].relations)
 
 
-def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Option:
-    """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent."""
-    there = [request.category for request in brief.requests]
+def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike: Sequence[str] = ()) -> Option:
+    """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent.
+
+    What is `unlike` does not do instead.
+    """
+    there = [request.category for request in brief.requests if request.category not in unlike]
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
@@ -263,10 +279,14 @@ def _anchor(brief: Brief, anchors: str, besides: Sequence[Usual] = ()) -> str:
 def _has_room(brief: Brief, more: Brief, factor: float = 1.0) -> bool:
     """Whether a floor that is given, or is to be small, is large enough for more that stands on it.
 
-    It is taken for `factor` times as large.
+    It is taken for `factor` times as large; what is built in one line has room along a wall.
     """
     if is_open(brief):
         return True
+    if brief.width and brief.depth:
+        wall = _RUN * max(brief.width, brief.depth)
+        if run_length(more) > max(wall, run_length(brief)):
+            return False
     area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0)
     needed = furniture_area(more)
     return needed <= max(factor * area, furniture_area(brief))

@@ -40,6 +40,10 @@ _MOST_MEET = 12
 """More people than this do not all meet at one table."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
+_MANY, _MOST_WALLS = 4, 3
+"""So many along the walls stand at several, and at how many at most: one has the door."""
+_FAR_WORDS = 5
+"""So many words further on a place is still that of a thing."""
 _SINGLE = "single"
 _TILL = "cash_register"
 _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
@@ -68,6 +72,7 @@ def assume(draft: Draft, fill: Fill) -> None:
         _set_down(draft)
         _staff(draft)
         _give_places(draft)
+        _one_on_each(draft)
         _ring_up(draft)
         _carry(draft, seated=True)
 
@@ -95,6 +100,18 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
         goods = [t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")]
         _fill_shelves(goods, told, _MOST_STOCKED)
+
+
+def spread_along_walls(draft: Draft) -> None:
+    """Share many cases that stand "along the walls" out over several walls; counts are settled by now."""
+    said = [word.text.lower() for word in draft.account]
+    for bond in draft.bonds:
+        words, count = bond.subject.text.lower().split(), bond.subject.count or 1
+        if bond.kind != "against_wall" or bond.anchors != ("wall",) or bond.each or bond.spread or bond.negated:
+            continue
+        after = (said[at + 1 : at + _FAR_WORDS] for at, word in enumerate(said) if words and word == words[-1])
+        if count >= _MANY and bond.asked and any("walls" in rest and "two" not in rest for rest in after):
+            bond.spread = min(_MOST_WALLS, count // 2)
 
 
 def complete_sets(draft: Draft) -> None:
@@ -147,7 +164,10 @@ def counted_seats(draft: Draft) -> tuple[str, ...]:
 
 
 def pull_up(draft: Draft) -> None:
-    """Have stools along a counter drawn up to it, and seats put before what hangs in front of those who sit there."""
+    """Have stools along a counter drawn up to it, and seats put before what hangs in front of those who sit there.
+
+    A till at the counter, which has its place on one, is on it.
+    """
     habits = load_habits()
     for bond in draft.bonds:
         anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
@@ -157,16 +177,29 @@ def pull_up(draft: Draft) -> None:
         seen = habits.is_in(bond.subject.noun, "wallpieces") and habits.is_in(anchor.noun, "seating", "seats")
         if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
             bond.kind = "at"
+        elif bond.kind in ("next_to", "near", "at") and habits.is_served_on(bond.subject.noun, anchor.noun):
+            bond.kind = "on"
         elif bond.kind == "in_front_of" and seen:
             bond.anchors = (bond.subject,)
             draft.hand_over(bond, anchor)
+
+
+def lay_out(draft: Draft) -> None:
+    """Put one of what mostly lies on desks on each of those that it is listed with: "desks, monitors and chairs"."""
+    habits = load_habits()
+    desks = [t for t in draft.things if t.asked and t.plural and habits.is_in(t.noun, "worked_at")]
+    for thing in draft.things if len(desks) == 1 else ():
+        first = next(iter(habits.of(thing.noun)), None)
+        usual = first is not None and first.kind == "on" and desks[0].noun in first.anchors
+        if usual and thing.asked and thing.plural and thing.count is None and not draft.bonds_of(thing):
+            draft.bonds.append(Bond("on", thing, (desks[0],), each=True, asked=False))
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
     As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
-    chairs, and what is assumed for another table, are no seats for it.
+    chairs, and what is assumed for another table, are no seats for it; many chairs are not those behind a desk.
 
     Args:
         draft: what was read.
@@ -186,9 +219,12 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
+        own = kind == "behind" and bool(free)
+        there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
+        told = draft.excluded if own else (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *counted)):
+        elif seat and not (drawn or there) and not any(counts_as(seat, n) for n in told):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
 
 
@@ -467,6 +503,7 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
+    _share_table(draft)
     for thing in [t for t in draft.things if t.seats]:
         if thing.count is None and thing.plural and not thing.rows and not any(b.each for b in draft.bonds_of(thing)):
             thing.count = facts_of(thing.noun).plenty or _SEVERAL
@@ -492,6 +529,18 @@ def _seat(draft: Draft) -> None:
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 
 
+def _share_table(draft: Draft) -> None:
+    """Places for all the people of a room at the table that is named there, where the prompt counts no seats."""
+    habits = load_habits()
+    seats = [t for t in draft.things if habits.is_in(t.noun, "seats") and not habits.is_in(t.noun, "lounges")]
+    tables = [t for t in draft.things if habits.is_in(t.noun, "meal_tables")]
+    uncounted = all(t.count is None and _is_chair(t) and not draft.bonds_of(t) for t in seats)
+    if draft.people and room_type(draft.room).seats_at and len(tables) == 1 and uncounted:
+        table = tables[0]
+        if table.count and not table.seats and not _is_too_small(table, draft.people):
+            table.seats = -(-draft.people // table.count)
+
+
 def _staff(draft: Draft) -> None:
     """Desks for the people of a room, and seats for the desks or tables, where only "desks" and "chairs" are named."""
     place = room_type(draft.room).place
@@ -510,6 +559,21 @@ def _staff(draft: Draft) -> None:
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _one_on_each(draft: Draft) -> None:
+    """One on each of several, where nobody counts or places what there usually is one of on each: "desks, monitors"."""
+    usual = [usual for kind in room_types().values() for usual in kind.usual]
+    each = {(u.category, anchor) for u in usual for kind, anchor, each in u.relations if kind == "on" and each}
+    for thing in [t for t in draft.things if t.asked and t.plural and t.count is None and not draft.bonds_of(t)]:
+        carrier = next((t for t in draft.things if t.many and _has_one(thing.noun, t.noun, each)), None)
+        if carrier is not None:
+            draft.bonds.append(Bond("on", thing, (carrier,), each=True, asked=False))
+
+
+def _has_one(noun: str, carrier: str, each: Collection[tuple[str, str]]) -> bool:
+    """Whether each <carrier> has a <noun>: what works only with a screen has its desk."""
+    return (noun, carrier) in each or (rest_of_set(noun) is not None and load_habits().is_in(carrier, "desks"))
 
 
 def _set_down(draft: Draft) -> None:
@@ -645,10 +709,12 @@ def _anchored(bond: Bond) -> list[str]:
 
 
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
-    """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
+    """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase, no one the printer of all."""
     habits = load_habits()
     high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
-    return not (high and _has(draft, "beds"))
+    first = next((a for habit in habits.of(thing.noun) if habit.kind == "on" for a in habit.anchors), "")
+    own = carrier.many and habits.is_in(carrier.noun, "worked_at") and habits.is_in(first, "storage")
+    return not (high and _has(draft, "beds")) and not (own and thing.count == 1 and _is_sat_at(draft, carrier))
 
 
 def _build_in(draft: Draft) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.assets import GENERAL_WORDS, Category, kind_of
-from thinkblox.assets.mounting import mount_of
+from thinkblox.assets.mounting import PROPPED, mount_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -13,6 +13,8 @@ _CARRIERS = ("tables", "desks", "seats", "storage")
 """What has a top of a known size; pedestals and platforms carry what is larger."""
 _MUCH = 1.25
 """How much larger than the top of its carrier something is that cannot stand there."""
+_LOW = 0.4
+"""So large at most is what hangs by nature and stands beside small things on a table, as a clock does [m]."""
 _BESIDE = ("left_of", "right_of", "in_front_of", "behind", "next_to")
 """What is so to something on a table is on that table as well."""
 _PLACING = ("on", "inside", "above", "under", "in_corner", "against_wall", "in_centre", "at", "around")
@@ -53,6 +55,12 @@ def _may_carry(carrier: Mention | str, container: Mention) -> bool:
 def share_carriers(draft: Draft) -> None:
     """Put what is beside something on a table on that table: "on it a laptop, and a lamp to the left of the laptop"."""
     beside = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]
+    for bond in beside:
+        anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
+        lies = next((b for b in draft.bonds_of(bond.subject) if _lies(b) and not b.each), None)
+        free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor) and not bond.each
+        if free and isinstance(anchor, Mention) and lies is not None and lies.anchors[0] is not anchor:
+            draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
     while found := [(bond, lies) for bond in beside if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
         for bond, carrier in found:
             if not _is_placed(draft, bond.subject):
@@ -82,7 +90,10 @@ def _can_lie(thing: Mention) -> bool:
     """Whether it lies on others by nature, in one of the senses of its name."""
     nouns = [category for category, _ in senses_of(thing.noun)]
     nouns += [thing.noun] if thing.noun not in GENERAL_WORDS else []
-    return any(mount_of(kind_of(noun), thing.attributes) == "surface" for noun in nouns)
+    if any(mount_of(kind_of(noun), thing.attributes) == "surface" for noun in nouns):
+        return True
+    kinds = [kind_of(noun) for noun in nouns]
+    return any(mount_of(k, (PROPPED,)) == "surface" and max(k.size) <= _LOW and not thing.attributes for k in kinds)
 
 
 def _is_placed(draft: Draft, thing: Mention) -> bool:

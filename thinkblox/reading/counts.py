@@ -11,6 +11,7 @@ MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as beyond it."""
 _CORNERS = _WALLS = 4
 _COVERS = ("cover", "covers", "covering")
+_OVER = ["all", "over"]
 _COVERING = 2
 """So many on each wall cover it."""
 _PER_ROW, _ROWS = 3, 2
@@ -150,7 +151,7 @@ def _covering(draft: Draft, thing: Mention) -> int:
         return 0
     said = [word.text.lower() for word in draft.account]
     after = (said[at + 1 : at + 5] for at, word in enumerate(said) if word == words[-1])
-    covers = any(rest and rest[0] in _COVERS and "walls" in rest for rest in after)
+    covers = any(rest and (rest[0] in _COVERS or rest[:2] == _OVER) and "walls" in rest for rest in after)
     return _COVERING * _WALLS if covers else 0
 
 

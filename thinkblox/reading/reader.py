@@ -18,7 +18,9 @@ from thinkblox.reading.assumptions import (
     complete_sets,
     counted_seats,
     draw_up,
+    lay_out,
     pull_up,
+    spread_along_walls,
     stock,
 )
 from thinkblox.reading.carriers import carry_contents, share_carriers, too_large
@@ -102,10 +104,12 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _settle_carriers(draft)
     draft.unknown += too_large(draft)
     pull_up(draft)
+    lay_out(draft)
     assume(draft, fill)
     counted = counted_seats(draft)
     uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
+    spread_along_walls(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft, counted if fill == "essentials" else ())
@@ -237,6 +241,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         depth=depth,
         area=area,
         height=height,
+        people=draft.people,
         openings=_openings(draft.openings),
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),

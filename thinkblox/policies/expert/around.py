@@ -34,6 +34,8 @@ OTHERWISE = 1.0
 """Cost of sitting at other sides than at the tables alike."""
 SPOILT = 2.0
 """Cost of seating people so that one of them finds no place."""
+WHERE_ONE_COOKS = 3.0
+"""Cost of sitting at another side of an island than its back."""
 SAME_SEAT = 0.15
 """A placed seat nearer than this to a place, seen along the edge, has taken it [m]."""
 
@@ -52,9 +54,15 @@ class Place(NamedTuple):
 
 
 def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    """Drawn up to the working side of a desk (its front), or to any side of a table without a front."""
-    sides = ("front",) if situation.scene.asset_of(anchor).front == "one" else tuple(SIDES)
-    sides = _away_from_cook(situation, anchor, sides)
+    """Drawn up to the working side of a desk (its front), or to any side of a table without a front.
+
+    At an island one sits at its back, where the worktop stands out over the knees, rather than where one cooks.
+    """
+    sides, dear = tuple(SIDES), 0.3
+    if facts_of(anchor.category).is_in("sat_around") and facts_of(anchor.category).is_in("worktops"):
+        sides, dear = ("back", "left", "right", "front"), WHERE_ONE_COOKS
+    elif situation.scene.asset_of(anchor).front == "one":
+        sides = ("front",)
     for rank, side in enumerate(sides):
         if tie.count > 1:
             places = _company_at(anchor, side, tie)
@@ -62,23 +70,15 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
             width = _width(anchor, side)
             places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
         for order, place in enumerate(places):
-            yield from seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
-
-
-def _away_from_cook(situation: Situation, anchor: Placement, sides: tuple[str, ...]) -> tuple[str, ...]:
-    """The sides of an island at which one sits: the long one where nobody cooks comes first."""
-    if not facts_of(anchor.category).is_in("sat_around") or not facts_of(anchor.category).is_in("worktops"):
-        return sides
-    built = [p for p in situation.solid if p.id != anchor.id and facts_of(p.category).is_in("built_in_line")]
-    before = [anchor.to_local(p.position[:2])[0] > 0.0 for p in built]
-    return ("back", "front") if before and all(before) else sides
+            yield from seats(situation, anchor, place, cost=dear * rank + 0.2 * order)
 
 
 def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:
-    """The place of one of several along a side; who finds no room there sits at the ends."""
+    """The place of one of several along a side, or a little aside; who finds no room there sits at the ends."""
     fit = max(1, int(_width(anchor, side) / SQUEEZED))
     if tie.index < fit:
-        return [side_places(anchor, side, min(tie.count, fit))[tie.index]]
+        middle = _width(anchor, side) * ((tie.index + 0.5) / min(tie.count, fit) - 0.5)
+        return [_place(anchor, side, middle + shift) for shift in (0.0, 0.15, -0.15, 0.3, -0.3)]
     return [place for end in ("left", "right") for place in side_places(anchor, end, 1)]
 
 

@@ -176,7 +176,7 @@ def _hidden(situation: Situation, rects: Rects) -> Array:
 
 
 def _over_heads(situation: Situation, rects: Rects) -> Array:
-    """What it costs that a shelf with things on it hangs over where people lie, sit or play, or a plant grows."""
+    """What it costs that a shelf with things on it hangs over where people lie, sit, play or cook, or a plant grows."""
     costs = np.zeros(len(rects))
     if not situation.asset.surfaces:
         return costs
@@ -186,7 +186,7 @@ def _over_heads(situation: Situation, rects: Rects) -> Array:
         facts = facts_of(p.category)
         grows = facts.is_in("plants") & (rects.bottom - p.top < UNDER_LEAVES)
         below = facts.is_in(*_HEADS) and not facts.is_in("drawn_aside")
-        if p.id not in above and p.position[2] < ON_FLOOR:
+        if p.id not in above and (p.position[2] < ON_FLOOR or facts.is_in("built_in")):
             there = overlap_depth(under, Rects.of_placements((p,))).max(-1, initial=0.0) > TOUCH
             costs += OVER_HEADS * (there & (grows | below))
     return costs

@@ -58,6 +58,8 @@ ROUND_CORNER, SEAT_DEPTH = 1.3, 1.0
 """Depth from which a sofa goes round a corner, and that of its seats without that part [m]."""
 WITHIN_CORNER = 3.0
 """How much better a low table stands within such a sofa than before all of it, which is not before it as measured."""
+BACK_TO_CLASS = 4.0
+"""Cost of another place near a board than before it, over which one looks at the class."""
 SIDE_BY_SIDE = 4.0
 """Cost of two alike one behind the other that are to be next to each other."""
 CROWDED_SIDE = 6.0
@@ -68,6 +70,8 @@ BY_ANOTHER = 2.0
 """Cost of standing by another of the anchor's kind than its own."""
 UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
+OUT_OF_RUN = 8.0
+"""Cost of a place that breaks the run that is built in one line."""
 _TURNED = ("facing", "facing_away")
 """Relations that say how a thing is turned, not where it stands."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
@@ -106,8 +110,9 @@ def from_ties(situation: Situation) -> list[Idea]:
     if lined:
         ties = tuple(tie for tie in ties if tie.kind == "in_rows")
     paired = [] if lined else list(partners.partner_ideas(situation))
-    paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
-    dear = UNPAIRED if paired else 0.0
+    lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
+    dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
+    paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
     if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
@@ -433,6 +438,7 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
     middle = runs.middle_of_run(situation, anchor)
+    face = face or (situation.facts.is_in("stands_free") and situation.facts.is_in("worktops"))
     for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why, middle=middle):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
@@ -618,7 +624,8 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 
 
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
+    presents = facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back"
+    if presents:
         yield from open_floor.presenting(situation, anchor)
     if _gathers(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
@@ -626,7 +633,8 @@ def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, along)
     for idea in (*walls.along_walls(situation), *walls.corners(situation)):
-        yield _dearer(idea, apart * math.dist(idea.position[:2], anchor.position[:2]))
+        turned_away = BACK_TO_CLASS if presents else 0.0
+        yield _dearer(idea, turned_away + apart * math.dist(idea.position[:2], anchor.position[:2]))
 
 
 _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {

@@ -60,7 +60,7 @@ class RunMember(NamedTuple):
         size: along its front axis, across and up [m].
         cabinet: whether it has a worktop.
         walls: the numbers of the walls that it may stand against.
-        window: whether it is asked to be by a window.
+        window: whether it, or what is built into it, is to be by a window.
     """
 
     id: str
@@ -151,7 +151,7 @@ def _members(situation: Situation) -> list[RunMember]:
             _size(situation, t),
             facts_of(t.category).is_in("takes_built_in"),
             _walls_of(situation, t),
-            any(tie.asked and tie.anchors == ("window",) for tie in t.ties),
+            any(tie.kind in BY_WINDOW and tie.anchors == ("window",) for tie in t.ties),
         )
         for t in _company(situation)
     ]

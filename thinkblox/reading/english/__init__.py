@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
@@ -13,7 +14,7 @@ from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.doings import with_doings
-from thinkblox.reading.english.elisions import with_nouns
+from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.idioms import plainly
@@ -53,6 +54,8 @@ _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 _NEAR, _BESIDE = 1.0, 0.5
 """What is at most so far off is near something, or beside it [m]; what is said to be nearer still is not understood."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
+_YET = ("still", "already", "now", "always", "just", "also", "only")
+"""Adverbs between "'s" and what it says."""
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
 _ARE = ("theyre", "youre")
@@ -70,7 +73,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     tokens = plainly(_spelt_out(lexicon.tokens(text)))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
-    chunks, noted = cut(lexicon, tokens)
+    spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
+    chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_noughts,
         with_booths,
@@ -79,6 +83,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_others,
         with_denials,
         with_nouns,
+        with_counts,
+        with_asides,
         with_answers,
         with_furniture,
         with_centres,
@@ -95,7 +101,7 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
     whole: list[Token] = []
     slashed = [*_slashed(tokens)]
     for at, token in enumerate(slashed):
-        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 3])
+        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 4])
         verb = "is" if told and token.owner else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
@@ -109,6 +115,10 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
 
 def _says_where(after: list[Token]) -> bool:
     """Whether words that follow "'s" tell where something is, so that it stands for "is"."""
+    here = after[1:2] if after and after[0].text in _YET else []
+    if here and here[0].text in ("here", "there"):
+        return True
+    after = after[1:] if here else after
     if len(after) < len(("on", "the")) or after[0].glued or after[1].kind == "mark":
         return False
     return after[0].text in grammar().lists["after_is"]

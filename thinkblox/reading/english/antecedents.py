@@ -183,8 +183,9 @@ class Antecedents:
         before = [n for n in seen.named if n is not own and self._meant.get(n.noun.start)]
         for named in before:
             things = [p for t in self._meant[named.noun.start] for p in self._referents.family(t)]
-            if len(things) > 1 or any(t.many for t in things):
-                family = by["family"] * (len(things) > 1) + by["apart"] * self._are_told_apart(things, seen)
+            said = named.noun.plural and named.noun.definite and not any(t.many for t in things)
+            if len(things) > 1 or any(t.many for t in things) or said:
+                family = by["family"] * (said or len(things) > 1) + by["apart"] * self._are_told_apart(things, seen)
                 weigh(self._place(kind, named, own, seen) + family, things)
         runs = list(_lists(seen.named, own))
         for run in runs:

@@ -123,7 +123,8 @@ class Cutter:
         ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
         goes_on = noun.text.lower().startswith("dead ") or self._text_at(noun.end) == "with"
         if noun.kind == "place" and noun.value == "centre" and (ends or goes_on):
-            return self._after_noun() and not noun.det and self._text_at(noun.end) != ":"
+            told = self._after_noun() or (goes_on and self._text_at(self.at - 1) == "," and len(self.made) > 1)
+            return told and not noun.det and self._text_at(noun.end) != ":"
         if noun.kind != "part" or noun.det not in ("each", "either", "both") or not self.made:
             return False
         return isinstance(self.made[-1], Noun) and self.made[-1].kind in ("thing", "number", "pronoun")
@@ -137,7 +138,7 @@ class Cutter:
         if length := self._numbering():
             return Connector("fillers", "words", self.at, self.at + length, token.shown)
         if token.kind == "mark":
-            value = _MARKS.get(token.text)
+            value = _MARKS.get(token.text) if not self._is_asked_where() else ""
             return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Connector("prepositions", "with", self.at, self.at + 2, "w/")
@@ -155,6 +156,17 @@ class Cutter:
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         return self._words()
+
+    def _is_asked_where(self) -> bool:
+        """Whether "On the bench?" is asked, which only says where what follows is."""
+        asked = [*self.made[-3:]]
+        begins = len(asked) < len(("?", "on", "bench")) or (
+            isinstance(asked[0], Connector) and asked[0].value == "stop"
+        )
+        link, noun = (*asked[-2:], None, None)[:2]
+        placing = isinstance(link, Connector) and link.sort == "prepositions"
+        more = self.at + 1 < len(self.tokens) and self.tokens[self.at].text == "?"
+        return begins and placing and isinstance(noun, Noun) and noun.definite and more
 
     def _is_said_of_it(self) -> bool:
         """Whether what comes is to be left as it is: "leave the door open"."""
@@ -305,6 +317,17 @@ class Cutter:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
 
+    def _lack(self) -> Adjective | None:
+        """Read a word between marks for what the thing before them lacks: "a dress form - headless - stands"."""
+        token, around = (
+            self.tokens[self.at],
+            [self.tokens[n] for n in (self.at - 1, self.at + 1) if n < len(self.tokens)],
+        )
+        alone = self.at > 0 and all(t.kind == "mark" for t in around)
+        if not alone or not token.text.endswith("less") or self._phrases.thing_at(self.at) is not None:
+            return None
+        return Adjective(self.at, self.at + 1, token.shown, unshown=[token.text])
+
     def _begins_link(self, noun: Noun) -> bool:
         """Whether more words than the noun phrase say no or where: "no room for", "none needed", "a long way from"."""
         found = grammar().all_at(self.tokens, self.at, "negations", "prepositions")
@@ -348,7 +371,7 @@ class Cutter:
         if (said := self._restated()) is not None:
             return said
         found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
-        return found or self._after_modal() or self._described() or self._said_round()
+        return found or self._lack() or self._after_modal() or self._described() or self._said_round()
 
     def _restated(self) -> Stray | Connector | None:
         """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""

@@ -21,6 +21,8 @@ def _sorts(text: str) -> list[tuple[str, str]]:
 
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
+_LOOSE = ("scattered", "strewn", "dotted")
+"""How things lie that are in no order, as all do of which nothing is said."""
 
 
 class Clauses(Audit):
@@ -97,6 +99,11 @@ class Clauses(Audit):
         node = self.frontier[-1] if self.frontier else self.subject
         on = self._is_link(self.peek(), "prepositions", "on", "on_top")
         if words[said] == "stacked" and on and node is not None and not any(thing.many for thing in node.things):
+            return
+        if words[said] in _LOOSE or (words[said] == "stacked" and node is not None):
+            states = [] if words[said] in _LOOSE or node is None else [thing.states for thing in node.things]
+            for told in states:
+                told += ["stacked"] if "stacked" not in told else []
             return
         if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return

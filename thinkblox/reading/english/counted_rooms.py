@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -25,6 +26,9 @@ def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif isinstance(chunk, Noun) and (counted := next(_counted(chunk), None)) is not None:
             said, thing = counted
             chunk.unshown.remove(said)
+            named = (c.value for c in chunks[at + 1 :] if isinstance(c, Noun) and c.kind == "thing")
+            if any(stand_in(name).like == thing.value != name for name in named):
+                continue
             if at + 1 < len(chunks) and is_link(chunks[at + 1], "prepositions", "with"):
                 owed = thing
             else:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
+from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.antecedents import OpenReference
 from thinkblox.reading.english.chunks import Noun
@@ -125,6 +126,10 @@ class Doubts(Corrections):
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
         """What is said of a thing that has to lie on something, or cannot."""
         thing, carried = bond.subject, self._is_carried(bond.subject)
+        senses = (s for s in senses_of(anchor.noun) if all(c == f"room:{self.draft.room}" for c in s.conditions))
+        meant = next((sense.category for sense in senses), anchor.noun)
+        if self.habits.is_served_on(thing.noun, meant):
+            return ""
         hung = self.habits.is_in(thing.noun, "tops", "screens")
         hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):

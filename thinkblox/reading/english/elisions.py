@@ -7,6 +7,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 
 _DETERMINED = ("a", "the", "another")
+_CORNERS = 4
 _PAST = 2
 """So many chunks further the noun is that a phrase borrows."""
 
@@ -21,7 +22,113 @@ def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
         joined = isinstance(link, Connector) and (link.value == "comma" or (link.sort, link.value) == ("joins", "and"))
         if joined and not _is_told_apart(whole[:at], other):
             whole[at] = _borrowed(said, other)
-    return [_other_side(whole, at) or chunk for at, chunk in enumerate(whole)]
+    return _with_sides([part for at, chunk in enumerate(whole) for part in _parted(whole, at) or [chunk]])
+
+
+def _with_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where "on one side ... on the other side" are the left and the right side."""
+    whole, first = list(chunks), -1
+    for at, chunk in enumerate(whole):
+        if not isinstance(chunk, Noun) or not at or not _is_on(whole[at - 1]):
+            continue
+        before = whole[at - 2] if at > 1 else None
+        if chunk.text.lower().startswith("one side") and chunk.kind in ("part", "place"):
+            counted = isinstance(before, Noun) and before.kind in ("number", "pronoun")
+            first = -1 if counted else at
+        elif first >= 0 and chunk.kind == "part" and chunk.value == "side" and chunk.det == "other":
+            one, alone = whole[first], not _is_of(whole, at)
+            if isinstance(one, Noun) and one.kind == "place" and alone:
+                whole[at] = replace(chunk, kind="pronoun", value="other", text="the other")
+            elif isinstance(one, Noun) and one.kind == "part":
+                whole[first] = replace(one, value="left", det="the", count=None)
+                whole[at] = replace(chunk, value="right", det="the", count=None)
+            first = -1
+    return whole
+
+
+def _is_on(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort == "prepositions" and chunk.value in ("on", "at", "to")
+
+
+def _is_of(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "of" comes after a noun."""
+    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    return isinstance(after, Connector) and after.value == "of"
+
+
+def _parted(chunks: Sequence[Chunk], at: int) -> list[Chunk]:
+    """What a phrase with "the other" is where that is a side, and a noun may follow: "on the other | two chairs"."""
+    if (side := _other_side(chunks, at)) is not None:
+        return [side]
+    said, link = chunks[at], chunks[at - 1] if at else None
+    if not isinstance(said, Noun) or said.kind != "thing" or said.det != "other" or not said.count or said.of_known:
+        return []
+    words = said.text.split()
+    alone = replace(
+        said, kind="pronoun", value="other", end=said.start + 2, text="the other", count=None, attributes=[], unshown=[]
+    )
+    side = _other_side([*chunks[:at], alone], at) if words[:2] == ["the", "other"] and _is_on(link or said) else None
+    if side is None or any(isinstance(c, Noun) and c.value == said.value for c in chunks[:at]):
+        return []
+    return [side, replace(said, start=said.start + 2, det="", text=" ".join(words[2:]))]
+
+
+def with_counts(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where a number between commas counts the bare plural before it: "towels, at least ten, on a shelf".
+
+    Nouns named "their own" are as many as what they are said of: "two printers on their own desks".
+    """
+    whole: list[Chunk] = []
+    for at, chunk in enumerate(chunks):
+        around = [chunks[n] if 0 <= n < len(chunks) else None for n in (at - 1, at + 1)]
+        whole.append(chunk)
+        if isinstance(chunk, Noun) and (corners := _shared_out(chunk, whole[:-1])):
+            whole[-1] = replace(chunk, count=corners, plural=True)
+        elif isinstance(chunk, Noun) and chunk.kind == "thing" and (own := _owned(chunk, whole[:-1])) is not None:
+            whole[-1] = own
+        elif isinstance(chunk, Noun) and all(isinstance(c, Connector) and c.value == "comma" for c in around):
+            noun = whole[-3] if len(whole) > _PAST else None
+            if isinstance(noun, Noun) and _is_uncounted(noun) and _is_bare_number(chunk):
+                whole[-3:] = [
+                    replace(noun, end=chunk.end, count=chunk.count, least=chunk.least, most=chunk.most, plural=True)
+                ]
+    return whole
+
+
+def _is_uncounted(noun: Noun) -> bool:
+    """Whether it names several without saying how many."""
+    plural = noun.plural or noun.word != noun.text.rpartition(" ")[2].lower()
+    return noun.kind == "thing" and plural and noun.count is None and not noun.det and not (noun.rows or noun.groups)
+
+
+def _is_bare_number(said: Noun) -> bool:
+    """Whether it is a number and nothing else."""
+    plain = not (said.of_known or said.ordinal or said.side or said.rows or said.share or said.every or said.det)
+    return said.kind == "number" and bool(said.count) and plain and not (said.attributes or said.unshown)
+
+
+def _shared_out(place: Noun, before: Sequence[Chunk]) -> int:
+    """In how many corners or on how many walls "two kilns, one in each corner" are; 0 where nothing is so said."""
+    led = before[-_PAST - 2 :]
+    if place.kind != "place" or place.value not in ("corner", "wall") or place.det != "each" or place.count:
+        return 0
+    if len(led) != _PAST + 2 or not isinstance(led[0], Noun) or not isinstance(led[2], Noun):
+        return 0
+    whole, one = led[0], led[2]
+    told = whole.kind == "thing" and one.kind in ("pronoun", "number") and one.text.lower() == "one"
+    return (whole.count or 0) if told and 1 < (whole.count or 0) < _CORNERS else 0
+
+
+def _owned(noun: Noun, before: Sequence[Chunk]) -> Noun | None:
+    """The noun with the number of what has it, where it is "their own desks"."""
+    if not noun.text.lower().startswith("their own ") or noun.count is not None or not noun.plural:
+        return None
+    for chunk in reversed(before):
+        if isinstance(chunk, Connector) and chunk.value in ("stop", "semicolon"):
+            return None
+        if isinstance(chunk, Noun) and chunk.kind == "thing":
+            return replace(noun, det="", count=chunk.count) if (chunk.count or 0) > 1 else None
+    return None
 
 
 def _other_side(chunks: Sequence[Chunk], at: int) -> Noun | None:

@@ -10,6 +10,26 @@ _ENDS = ("back", "front", "rear", "far")
 """What says of corners which two they are."""
 
 
+_AGAIN = ("and", "&", "upon")
+"""What joins a noun to itself: "crates and crates"."""
+_BY = ("x", "by", "and")
+"""What joins the numbers of rows and columns."""
+_PAIRS_OF = (["pair", "of"], ["pairs", "of"])
+_DRINKS = (
+    "wine",
+    "water",
+    "beer",
+    "drink",
+    "drinks",
+    "champagne",
+    "juice",
+    "bottle",
+    "jug",
+    "carafe",
+    "pitcher",
+    "bar",
+)
+"""Where these are spoken of a pair of glasses is two to drink from."""
 _LONGEST = 6
 """Most words of a name before "each"."""
 
@@ -34,9 +54,15 @@ def _rows(tokens: list[Token]) -> list[Token]:
 
 
 def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
-    at = 0
+    at, drinks = 0, any(token.text in _DRINKS for token in tokens)
     while at < len(tokens):
         words = [token.text for token in tokens[at : at + 3]]
+        if _is_grid(tokens, at):
+            yield from (tokens[at], tokens[at + 1], replace(tokens[at + 2], text="of"))
+            shown = " ".join(token.shown for token in tokens[at + 3 : at + 6])
+            yield replace(tokens[at + 3], shown=shown)
+            at += 6
+            continue
         if words[0] == "per" and words[1:2] and words[1] in _ENDS and words[2:] == ["corner"]:
             yield replace(tokens[at], text="in")
             yield replace(tokens[at], text="each", shown="", start=tokens[at].start + len(tokens[at].shown))
@@ -49,6 +75,24 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
             adults = "adults" if words[1] == "ups" else "adult"
             yield replace(tokens[at + 1], text=adults, shown=f"{tokens[at].shown}-{tokens[at + 1].shown}")
             at += 1
+        elif len(words) == len(_BY) and words[0] == words[2] and words[0].endswith("s") and words[1] in _AGAIN:
+            shown = f"{tokens[at].shown} {tokens[at + 1].shown}"
+            if tokens[at + 3 : at + 4] and tokens[at + 3].text == "of" and grammar().at(tokens, at + 2, "vague"):
+                yield replace(tokens[at + 2], shown=f"{shown} {tokens[at + 2].shown}", start=tokens[at].start)
+                at += 1
+            else:
+                yield replace(tokens[at], text="many", shown=shown)
+            at += 1
+        elif words[:1] == ["glasses"] and not drinks and [t.text for t in tokens[at - 2 : at]] in _PAIRS_OF:
+            yield replace(tokens[at], text="eyeglasses")
         else:
             yield tokens[at]
         at += 1
+
+
+def _is_grid(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "4 rows x 6 columns of" comes."""
+    words = [token.text for token in tokens[at : at + 6]]
+    if words[1:2] != ["rows"] or words[2:3] == [] or words[2] not in _BY or words[4:] != ["columns", "of"]:
+        return False
+    return all(tokens[n].kind == "number" or grammar().at(tokens, n, "count") is not None for n in (at, at + 3))

@@ -7,7 +7,7 @@ from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node
-from thinkblox.reading.english.referents import FURNITURE
+from thinkblox.reading.english.referents import FURNITURE, is_furniture
 from thinkblox.reading.english.ties import Ties
 
 _FOR_ALL = (
@@ -112,7 +112,8 @@ class Memberships(Ties):
             tie = "next_to"
         if tie is None:
             thing.owner = None
-            self.untied.append((thing, head))
+            if first or not is_furniture(thing):
+                self.untied.append((thing, head))
             return
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"

@@ -284,7 +284,8 @@ class Meanings:
             family = self.referents.family(told[0])
             self.referents.parted = family[-1]
             return self._fitting(Meaning(kind, (family[0],), told=True), subjects)
-        whole = self.referents.parted or next(iter(usual or fit or several), None)
+        latest = [t for t in fit[:1] if t is several[0] and load_habits().is_in(t.noun, *_STANDING_ALONE)]
+        whole = self.referents.parted or next(iter(latest or usual or fit or several), None)
         if whole is None:
             return None
         return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
@@ -659,7 +660,8 @@ class Meanings:
             seated = (
                 "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
             )
-            meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
+            lies = usual == "on" and is_small_name(name)
+            meaning.kind = usual if usual and (usual in ("at", "around") or lies) else seated if name else "at"
         elif meaning.kind in ("per", "for") and name:
             lying = "at" if habits.is_in(anchor.noun, "seats", "chairs") else "on"
             meaning.kind = usual or (lying if subjects and is_small(subjects[-1]) else "next_to")
@@ -669,6 +671,10 @@ class Meanings:
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"
         return meaning
+
+
+_STANDING_ALONE = ("tables", "desks", "counters", "worktops", "storage", "tops", "cases")
+"""What stands on the floor and carries what is said to be on "one of them"."""
 
 
 class Namer:

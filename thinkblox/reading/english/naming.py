@@ -14,6 +14,8 @@ from thinkblox.reading.english.state import LOOKAHEAD
 
 _DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand that people take at a table."""
+SEATERS = {"for-1": "one-seat", "for-2": "two-seat", "for-3": "three-seat", "for-4": "four-seat"}
+"""What a sofa for so many is called."""
 _ANGLED = "L-shaped"
 """What a corner sofa is wherever it stands."""
 
@@ -245,6 +247,8 @@ class Naming(Several):
         thing.vague |= noun.share > 0
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
         thing.seats, thing.size = noun.seats, noun.size
+        if noun.seats and self.habits.is_in(noun.value, "lounges", "seats", "chairs"):
+            thing.seats, thing.attributes = 0, [SEATERS.get(a, a) for a in thing.attributes]
         thing.groups, thing.group = noun.groups, noun.group
         thing.called = noun.called
         self.draft.things.append(thing)
@@ -280,7 +284,8 @@ class Naming(Several):
             other = next((t for t in self.referents.plural() if t.count), None)
             if other is None:
                 self._lose(noun.start, noun.end)
-        return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
+        family = self.referents.family(other) if other is not None else []
+        return max(1, int(sum(map(self.referents.total, family)) * noun.share)) if family else None
 
     def _is_number_told(self, index: int) -> bool:
         """Whether the number itself comes: "as many mats as there are machines, five"."""

@@ -13,15 +13,20 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "one on the right" and "the right one" name what was told to be on the left."""
     made = list(chunks)
     thing: Noun | None = None
+    whole: Noun | None = None
     told: set[str] = set()
     at = 0
     while at < len(made):
         said, part = made[at], _side_after(made, at)
+        if isinstance(said, Noun) and part is not None and thing is not None and whole is not None:
+            _tell_whole(made, at, part, whole)
         if isinstance(said, Noun) and said.kind == "thing" and part is not None:
             told = told if thing is not None and said.value == thing.value else set()
             thing = None if said.many else said
+            whole = _whole_of(made, part)
             told.add(part.value)
         elif isinstance(said, Noun) and thing is not None:
+            part = _side_after(made, at)
             found = _once_more(thing, said, part, told)
             length = _length(made, at) if found is not None and found.side and part is not None else 1
             made[at : at + length] = [found or said]
@@ -29,6 +34,25 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
                 _put_verb(made, at, at + 1 if found.side else at + 3)
         at += 1
     return made
+
+
+def _whole_of(chunks: Sequence[Chunk], part: Noun) -> Noun | None:
+    """The door of "on the left of the door"."""
+    at = next((n for n, chunk in enumerate(chunks) if chunk is part), len(chunks))
+    of, whole = (*chunks[at + 1 : at + 3], None, None)[:2]
+    named = isinstance(of, Connector) and of.value == "of" and isinstance(whole, Noun)
+    return whole if named and isinstance(whole, Noun) and whole.kind in ("thing", "place") else None
+
+
+def _tell_whole(chunks: list[Chunk], at: int, part: Noun, whole: Noun) -> None:
+    """Say "the right of the door" for "its right", where one more is told to be there."""
+    once_more = isinstance(said := chunks[at], Noun) and said.text.lower() in (*_ONE, *_OTHER)
+    own = part.det == "my" or part.text.lower().endswith(" of it")
+    place = next((n for n, chunk in enumerate(chunks) if chunk is part), 0)
+    if once_more and own and place:
+        again = replace(whole, start=part.end, end=part.end, det="the")
+        of = Connector("prepositions", "of", part.end, part.end, "of")
+        chunks[place : place + 1] = [replace(part, det="the"), of, again]
 
 
 def _put_verb(chunks: list[Chunk], at: int, after: int) -> None:

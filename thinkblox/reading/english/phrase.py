@@ -356,12 +356,23 @@ class PhraseReader(Heads):
             return known
         verb = at + known.length - 1
         single = noun.count == 1 or (noun.count is None and noun.det in ("a", "each", "another"))
-        again = noun.count is None and noun.det in ("the", "my") and self._is_said_before(at, verb)
+        again = noun.count is None and noun.det in ("the", "my")
+        again &= self._is_said_before(at, verb) or self._is_whole_clause(noun.start, verb)
         if not (single or again) or grammar().at(self.tokens, verb, "verbs") is None:
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")
         return Known(entry, shorter.length) if entry is not None else known
+
+    def _is_whole_clause(self, start: int, verb: int) -> bool:
+        """Whether a clause begins at `start` that has no other verb: "The piano stands opposite the sofa."."""
+        if start and self.tokens[start - 1].kind != "mark":
+            return False
+        if grammar().at(self.tokens, verb + 1, "prepositions") is None:
+            return False
+        ends = (n for n in range(verb + 1, len(self.tokens)) if self.tokens[n].kind == "mark")
+        rest = range(verb + 1, next(ends, len(self.tokens)))
+        return not any(grammar().at(self.tokens, n, "verbs") is not None for n in rest)
 
     def _is_said_before(self, at: int, end: int) -> bool:
         """Whether the same words came before, and what came after them was another word or none."""

@@ -9,6 +9,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.heads import is_purpose
+from thinkblox.reading.english.naming import SEATERS
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.referents import is_small, last_word
@@ -17,8 +18,6 @@ from thinkblox.reading.english.state import LOOKAHEAD
 _MOST_AT_ONE = 12
 """Tables for more people than this are for so many together."""
 _PAIR = 2
-_SEATS = {1: "one-seat", 2: "two-seat", 3: "three-seat", 4: "four-seat"}
-"""How a sofa for so many is called."""
 _OWN = ("beds", "desks", "chairs", "storage")
 """What each of several people may have one of."""
 _TOPS = ("tables", "desks", "counters")
@@ -442,8 +441,8 @@ class Prepositions(Negation):
             thing.count = math.ceil(people / places_at(thing.noun))
         elif thing.count is None and thing.plural and self.habits.is_in(thing.noun, "covers", "own_bed"):
             thing.count = people
-        elif self.habits.is_in(thing.noun, "lounges") and not thing.many and people in _SEATS:
-            thing.attributes.append(_SEATS[people])
+        elif self.habits.is_in(thing.noun, "lounges") and not thing.many and f"for-{people}" in SEATERS:
+            thing.attributes.append(SEATERS[f"for-{people}"])
             self.numbers.add(people)
         elif self.habits.is_in(thing.noun, "tables", "desks"):
             together = thing.plural and people > _MOST_AT_ONE

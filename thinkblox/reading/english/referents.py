@@ -6,6 +6,7 @@ from dataclasses import replace
 from thinkblox.assets import kind_of
 from thinkblox.assets.palette import COLOURS, with_general
 from thinkblox.assets.plurals import singular
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.knowledge.things import are_alike
@@ -83,6 +84,7 @@ class Referents:
             lambda t: noun.plural and t.noun in (f"{noun.value}_kit", f"{noun.value}_set"),
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
+            lambda t: noun.det == "the" and not noun.unshown and stand_in(t.noun).like == noun.value,
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if not t.many and last_word(t) == word] if lone else []
@@ -226,7 +228,8 @@ class Referents:
         """What was spoken of last, furniture before what lies on it unless that is beside something `lying` there."""
         recent = [t for t in self._recent() if t not in subject]
         if lying and recent:
-            return recent[0]
+            on_it = (b.subject for b in self.draft.bonds if b.kind == "on" and recent[0] in b.anchors)
+            return recent[0] if is_small(recent[0]) else next((t for t in on_it if t is recent[1]), recent[0])
         return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
 
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:
@@ -424,6 +427,11 @@ def _is_own_name(text: str, value: str) -> bool:
 def is_small(thing: Mention) -> bool:
     """Whether it lies or stands on other things."""
     return load_habits().is_in(thing.noun, "small")
+
+
+def is_furniture(thing: Mention) -> bool:
+    """Whether it stands on the floor by itself, so that what is listed before it need not have it."""
+    return not is_small(thing) and load_habits().is_in(thing.noun, *FURNITURE, "cases")
 
 
 def is_loose_lamp(thing: Mention) -> bool:

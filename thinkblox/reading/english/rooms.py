@@ -33,6 +33,8 @@ COMPASS = ("north", "south", "east", "west")
 
 _OTHER_SIZE = {"large": "small", "small": "large"}
 """What a room is that is not so."""
+_WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat")
+"""Rooms to live in, where a kitchen is a part of what stands there."""
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
 
@@ -45,6 +47,10 @@ class Rooms(Memberships):
             self._several_spots(noun)
             return
         if self._is_another_room(noun):
+            if noun.value == "kitchen" and self.draft.room in _WITH_KITCHENS:
+                self.at -= 1
+                self.chunks[self.at] = replace(noun, kind="thing", value=f"{noun.value}ette", room="")
+                return
             self.draft.rooms.append(noun.text)
             return
         if self._is_strange_part(noun):

@@ -14,7 +14,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun, Stray, are_neighbours
-from thinkblox.reading.english.referents import Referents, is_small, parts_of
+from thinkblox.reading.english.referents import Referents, is_furniture, is_small, parts_of
 from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
 _LYING: tuple[RelationKind, ...] = ("on", "inside")
@@ -278,7 +278,9 @@ class SecondOpinion:
                 continue
             question = ""
             others = [t for t in self._things(*having.members, *having.lying) if t not in things]
-            if not self._are_related(things, [*heads, *self._things(*having.outer), *others]):
+            apart = noun is not having.members[0] and all(is_furniture(thing) for thing in things)
+            related = self._are_related(things, [*heads, *self._things(*having.outer), *others])
+            if not (apart or related):
                 question = "where?"
             elif self._is_of_one_alone(heads, things) or (
                 having.each and self._is_shared_unevenly(having.head, heads, noun, things)

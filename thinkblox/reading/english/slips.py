@@ -26,6 +26,9 @@ def meant_by(lexicon: Lexicon, word: str, also: frozenset[str] = frozenset()) ->
     """
     if (2 < len(word) < _LEAST and word.isascii() and word.isalpha()) and not _is_word(lexicon, word):
         swapped = {word[:n] + word[n + 1] + word[n] + word[n + 2 :] for n in range(len(word) - 1)} & also
+        swapped |= {
+            doubled for doubled in _doubled(word) if len(word) + 1 == _LEAST and doubled in _words(lexicon.code)
+        }
         return swapped.pop() if len(swapped) == 1 else ""
     if (
         len(word) < _LEAST
@@ -60,6 +63,11 @@ def _words(code: str) -> frozenset[str]:
     phrases = load(code).phrases.items()
     single = (key[0] for key, entries in phrases if len(key) == 1 and any(e.sort in sorts for e in entries))
     return frozenset(word for word in (*single, *_LINKS) if len(word) >= _LEAST)
+
+
+def _doubled(word: str) -> Iterator[str]:
+    """The word with one of its letters twice: "smal" is "small"."""
+    return (word[:at] + word[at] + word[at:] for at in range(1, len(word)))
 
 
 def _slips(word: str) -> Iterator[str]:

@@ -34,6 +34,9 @@ _SHARED = (
 _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list share, and what kind of things then do."""
 
+_BESIDE_SMALL = ("next_to", "near", "by", "behind", "in_front_of", "left_of", "right_of")
+"""Where small things that are listed together stand to another, all of them."""
+
 
 class Subjects(Having):
     """Finds the subjects of relations."""
@@ -510,6 +513,8 @@ class Subjects(Having):
         """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""
         alone = self.separator != "and" and self._is_joined_before(self._began)
         other = frame.members[-2]
+        if alone and frame.head is None and where.word in _BESIDE_SMALL and self._is_small_list(frame):
+            return Node(frame.members[frame.begun :], frame)
         if alone and self._is_pronominal(where) and is_small(other) and is_small(node.things[-1]):
             known = any(b for b in self.draft.bonds_of(other)) or any(other in b.anchors for b in self.draft.bonds)
             return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
@@ -534,6 +539,13 @@ class Subjects(Having):
         """Whether furniture of which nothing was told begins the statement: "a fridge, a sink and a stove along"."""
         listed = frame.members[frame.begun :]
         free = all(not is_small(m) and all(b.implied for b in self.draft.bonds_of(m)) for m in listed)
+        return free and len(listed) > _PAIR and self._begins_with(listed[0])
+
+    def _is_small_list(self, frame: Listed) -> bool:
+        """The same of small things: "a clock, a cup and a phone next to the lamp"."""
+        listed = frame.members[frame.begun :]
+        lie = all(is_small(m) or self._may_lie_there(m) for m in listed)
+        free = lie and all(all(b.implied for b in self.draft.bonds_of(m)) for m in listed)
         return free and len(listed) > _PAIR and self._begins_with(listed[0])
 
     def _begins_with(self, thing: Mention) -> bool:
