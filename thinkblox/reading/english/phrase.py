@@ -377,7 +377,8 @@ class PhraseReader(Heads):
     def _is_said_before(self, at: int, end: int) -> bool:
         """Whether the same words came before, and what came after them was another word or none."""
         said, after = [token.text for token in self.tokens[at : end + 1]], end - at
-        before = (self.tokens[n : n + after + 1] for n in range(at - after))
+        alike = (n for n in range(at - after) if self.tokens[n].text == said[0])
+        before = (self.tokens[n : n + after + 1] for n in alike)
         found = ([token.text for token in tokens] for tokens in before)
         return any(words[:after] == said[:after] and singular(words[after]) != singular(said[after]) for words in found)
 

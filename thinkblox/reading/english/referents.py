@@ -402,9 +402,11 @@ def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention],
 
 def _is_of_another(noun: Noun, thing: Mention) -> bool:
     """Whether it was said to be somebody else's: her bed is not his."""
+    if noun.det != "my":
+        return False
     owners = grammar().lists["owners"]
     now, before = (text.partition(" ")[0].lower() for text in (noun.text, thing.text))
-    return noun.det == "my" and now in owners and before in owners and now != before
+    return now in owners and before in owners and now != before
 
 
 def _has_other_colour(thing: Mention, shades: Collection[str]) -> bool:
