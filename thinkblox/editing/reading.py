@@ -655,6 +655,7 @@ class _OrderReader:
             or self._is_apposition(noun)
             or self._told_by_rider(noun)
             or self._is_each_of_new(noun)
+            or self._is_one_of_company(noun)
         ):
             return
         noun = self._another(self._merged(noun))
@@ -827,6 +828,9 @@ class _OrderReader:
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
+        elif self._is_theirs_too(noun):
+            own = order.company[-1].noun.text.split()[0]
+            order.company.append(replace(phrase, noun=replace(noun, det="my", text=f"{own} {noun.text}")))
         elif self._is_within(noun):
             order.apart.append((order.lengths.pop()[0], phrase))
             self._distance, self._anchors = False, [noun]
@@ -846,6 +850,14 @@ class _OrderReader:
         else:
             self._lose(noun)
 
+    def _is_theirs_too(self, noun: Noun) -> bool:
+        """Whether a bare noun belongs to what was named before as well: "(with its chairs and) vase"."""
+        before = self._items[self._at - 2] if self._at > 1 else None
+        joined = isinstance(before, Connector) and before.text.lower() == "and"
+        bare = noun.kind == "thing" and not (noun.det or noun.count or noun.id)
+        theirs = bool(self.order.company) and _is_theirs(self.order.company[-1].noun)
+        return joined and bare and theirs and self.order.doing in (*_WITH_ALONG, "remove")
+
     def _is_each_of_new(self, noun: Noun) -> bool:
         """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
         new = self.order.doing in ("add", "put", "ensure") and bool(self.order.things)
@@ -854,6 +866,17 @@ class _OrderReader:
         said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
         self._eached |= said
         return said
+
+    def _is_one_of_company(self, noun: Noun) -> bool:
+        """Take where each of what goes along is to be: "(a table with two chairs,) one on each side"; whether it was."""
+        company = self.order.company if self.order.doing in ("add", "put", "ensure") else []
+        one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
+        if not (company and one and (company[-1].noun.count or 0) > 1 and self._each_follows()):
+            return False
+        link = cast(Connector, self._items[self._at])
+        self._at += 1
+        company[-1].places.append(self._where(link))
+        return True
 
     def _comes_along(self, *, each: bool) -> None:
         """Read "(two desks with a chair and) a monitor each" as what comes with every one of what is added.

@@ -348,7 +348,7 @@ def _thing_of(noun: Noun, finder: Finder) -> Noun:
 def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | None:
     """To the left of the sofa, at the foot of the bed, in the middle of the table or of the room."""
     whole = where.whole or (Noun("thing", noun.owner, 0, 0, noun.owner) if noun.owner else None)
-    if whole is None and noun.det == "my" and noun.text.lower().split()[:1] == ["its"]:
+    if whole is None and noun.det == "my":
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
