@@ -42,7 +42,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "gap": ("things", "places", "lengths", "change", "space", "room"),
 }  # fmt: skip
 """What each kind of order does something about, as fields of an Order."""
-_WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite", "spread")
+_WHOLE = ("clear", "rearrange", "gap", "free", "make", "only", "replace", "swap", "resite", "spread")
 """Orders that are not begun where a word of them means nothing."""
 SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
@@ -59,6 +59,12 @@ SAID = {
 """What a field says, in words."""
 
 
+def _takes_any(order: Order) -> bool:
+    """Whether it takes things away of which words that are not understood may say which: "the chairs that don't fit"."""
+    told = (phrase.noun.many or phrase.noun.kind == "pronoun" for phrase in order.things)
+    return order.doing == "remove" and any(told)
+
+
 def check_heeded(order: Order) -> None:
     """Refuse an order that says more than such an order does.
 
@@ -69,7 +75,7 @@ def check_heeded(order: Order) -> None:
     over = [words for field, words in SAID.items() if getattr(order, field) and field not in heeded]
     if order.turn == 0.0:
         over.append("an angle of 0 degrees")
-    if order.lost and (order.doing in _WHOLE or order.rest):
+    if order.lost and (order.doing in _WHOLE or order.rest or _takes_any(order)):
         raise InputError(f"'{order.text}': '{', '.join(order.lost)}' is not understood, so that nothing was done")
     if over:
         raise InputError(

@@ -10,7 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Free, Goal, OutOf
 from thinkblox.editing.orders import NounPhrase
-from thinkblox.editing.wheres import bound
+from thinkblox.editing.wheres import bound, opening_named
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -83,6 +83,7 @@ class Area:
     def takers(self, scene: Scene) -> list[str]:
         """What takes any of it."""
         solid = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < HEAD_HEIGHT]
+        solid = [p for p in solid if self.besides or scene.asset_of(p).mount != "wall"]
         found = [p.id for p in solid if p.footprint.intersection(self.outline).area > TAKEN]
         there = [id for id in self.besides if id in scene]
         mine = {*there, *(rider.id for id in there for rider in scene.riders(id))}
@@ -97,6 +98,27 @@ class Area:
 
 def _roots(scene: Scene, found: Sequence[str]) -> list[str]:
     return list(dict.fromkeys((scene.carriers(id) or (id,))[-1] for id in found))
+
+
+def zones_of(scene: Scene, finder: Finder, where: Where) -> list[Zone]:
+    """The stretches of floor that a place names: one before each window that is meant, of all else one.
+
+    Raises:
+        InputError: it names none.
+    """
+    noun = where.noun
+    window = noun is not None and noun.kind == "place" and noun.value == "window" and where.word in _BEFORE
+    if not window or noun is None or where.whole is not None or where.second is not None:
+        return [zone_of(scene, finder, where)]
+    named = [mark.name for mark in things(scene, opening_named(scene, noun))]
+    if not named:
+        raise InputError("the room has no window")
+    zones: list[Zone] = []
+    for opening in (o for o in scene.room.openings if o.id in named):
+        wall, ends = scene.room.walls[opening.wall], (opening.offset, opening.offset + opening.width)
+        near, far = ([wall.point(end, depth) for end in ends] for depth in (0.0, AROUND))
+        zones.append(Area(_in_room(scene, Polygon([*near, *far[::-1]])), f"the space before {opening.id}", frozenset()))
+    return zones
 
 
 def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
