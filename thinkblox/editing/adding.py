@@ -12,7 +12,7 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Related
+from thinkblox.editing.goals import Apart, At, Goal, Related, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
@@ -308,6 +308,10 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
 def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, asset: Asset | None = None) -> str:
     """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted."""
     id = work.new_id(category)
+    if load_habits().is_in(category, "screens"):
+        others = [p.id for p in work.scene.placements if load_habits().is_in(p.category, "screens")]
+        others = [name for name in others if work.asset_of(name).mount == "surface"]
+        goals = [*goals, Unhidden(tuple(others))] if others else goals
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)

@@ -27,6 +27,7 @@ from thinkblox.editing.goals import (
     ELSEWHERE_SMALL,
     EXACT,
     Abreast,
+    Across,
     Along,
     Apart,
     At,
@@ -701,7 +702,9 @@ def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[
 
 def _onto_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, moved aside onto the line through the middle of a thing."""
-    for goal in (g for g in goals if isinstance(g, MidOf)):
+    for goal in [MidOf(g.anchors[0]) if isinstance(g, Across) else g for g in goals]:
+        if not isinstance(goal, MidOf):
+            continue
         mark = things(scene, goal.anchor)[0]
         ahead, left = mark.to_local(before.position[:2])
         off, way = (ahead, mark.yaw) if goal.across else (left, mark.yaw + 90.0)
