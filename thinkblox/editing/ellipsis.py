@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from thinkblox.editing.clauses import Clause
+from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.reading.english.chunks import Noun
 
@@ -21,6 +22,9 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         read: reads a clause as one order.
     """
     whole = read(clause)
+    if _looks_and_stands(whole) and _is_told_by_distance(whole):
+        yield replace(whole, doing="make")
+        return
     if _looks_and_stands(whole):
         yield replace(whole, doing="make", things=[replace(p, places=[]) for p in whole.things], places=[])
         yield replace(whole, doing="put", looks=[], ruled_out=[], change="", lost=[])
@@ -42,7 +46,8 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             second.things = [_again(first)]
             yield from (first, second)
             return
-        if (first.things or first.room) and _is_change(first) and _is_change(second) and not second.looks:
+        sized = second.doing == "make" and not second.change and any(axis for _, axis in second.lengths)
+        if (first.things or first.room) and _is_change(first) and (_is_change(second) or sized) and not second.looks:
             if second.things or second.room:
                 continue
             second.things, second.room = [_again(first)] if first.things else [], first.room
@@ -60,6 +65,16 @@ def _looks_and_stands(order: Order) -> bool:
     known = bool(order.things) and all(phrase.noun.definite or phrase.id for phrase in order.things)
     placed = bool(order.places) or any(phrase.places for phrase in order.things)
     return order.doing == "put" and bool(order.looks) and known and placed and not order.lengths
+
+
+def _is_told_by_distance(order: Order) -> bool:
+    """Whether its only place says which of several it is about: "the armchair closer to the door should be red"."""
+    places = [*order.places, *(where for phrase in order.things for where in phrase.places)]
+    return all(where.word in ("near", "far") and _is_superlative(where.text) for where in places)
+
+
+def _is_superlative(text: str) -> bool:
+    return any(means(section, word) for word in text.lower().split() for section in ("nearest", "nearer_of_two"))
 
 
 def _looks_and_more(order: Order) -> bool:

@@ -87,6 +87,8 @@ class Finder:
         noun = phrase.noun
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
+        if noun.kind == "abstract":
+            raise InputError(f"'{noun.text}' is not understood; say it by things that are in the room")
         if noun.kind == "pronoun" or self._is_of_others(noun):
             return self._part(phrase, self._spoken_of(noun))
         if noun.rows and noun.kind == "number":
@@ -485,8 +487,13 @@ def _company(scene: Scene, found: list[Placement]) -> Placement | None:
     large = [
         p for p in scene.placements if p.id not in ids and scene.asset_of(p).front == "one" and p.support == "floor"
     ]
+    stood = _stood_at(scene, found)
     for other in sorted(large, key=lambda p: -p.size[0] * p.size[1]):
         mark = things(scene, other.id)[0]
+        if stood is not None and not measure(scene, "against_wall", other.id, (stood.name,)).holds:
+            continue
+        if math.prod(other.size) < max(math.prod(p.size) for p in found):
+            continue
         if all(ground_gap(things(scene, p.id)[0], mark) < 0.6 for p in found):
             return other
     return None

@@ -10,6 +10,7 @@ _SHIFTED = (
     "centred",
     "backs",
     "abreast",
+    "touching",
     "company",
     "mutual",
     "together",
@@ -34,7 +35,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
     "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction", "bears"),
-    "free": ("things", "places", "free", "space", "room", "rest", "spared", "away"),
+    "free": ("things", "places", "free", "space", "room", "rest", "spared", "away", "lengths"),
     "clear": ("things", "places", "room", "rest", "spared", "away"),
     "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
     "only": ("things", "places", "total", "spared"),
@@ -55,6 +56,7 @@ SAID = {
     "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
     "backs": "what its back is to", "bears": "what is to be on it", "abreast": "side by side",
+    "touching": "without a gap",
 }  # fmt: skip
 """What a field says, in words."""
 

@@ -123,6 +123,8 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
+    if order.touching:
+        raise InputError(f"'{order.text}': without a gap to what? Say 'against the bed', or 'side by side'")
     if order.besides:
         raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")
     seen: set[tuple[str, str]] = set()
@@ -255,8 +257,12 @@ def _line_up(work: Work, finder: Finder, order: Order, where: Where) -> None:
     """Let all that is named stand at one wall: at the longest at which it can."""
     said, saved, before, noun = (len(work.done), len(work.failed)), work.saved(), work.scene, where.noun
     failed: list[str] = []
-    for wall in sorted(work.scene.room.walls, key=lambda wall: -wall.length):
-        where.noun = dataclasses.replace(noun, value=wall.name) if noun is not None else None
+    walls_ = sorted(work.scene.room.walls, key=lambda wall: -wall.length)
+    if noun is not None and noun.degree:
+        named_ = bound(where, "", finder).anchors
+        walls_ = [wall for wall in walls_ if wall.name in named_]
+    for wall in walls_:
+        where.noun = dataclasses.replace(noun, value=wall.name, degree="") if noun is not None else None
         plain = dataclasses.replace(order, text=wall.name)
         move(work, finder, plain)
         if len(work.failed) == said[1]:
@@ -822,7 +828,8 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         there = _also(work, finder, order, id) if also and not _cornered(also) else looks
-        move_one(work, order, id, [goal, *there])
+        close = [Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")] if order.touching else []
+        move_one(work, order, id, [goal, *close, *there])
         placed.append(id)
     finder.recent = ids
 

@@ -15,7 +15,7 @@ from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
-from thinkblox.editing.orders import BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.orders import AWAY_SIDE, BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
 from thinkblox.editing.rewording import (
     in_between,
     reworded,
@@ -41,6 +41,7 @@ from thinkblox.reading.tokens import Token, tokenise
 MAX_INSTRUCTION = 2000
 """Longest instruction that is read [characters]."""
 _ID = re.compile(r"\b[A-Za-z][A-Za-z0-9_.-]*_[0-9]+\b")
+_DASH = re.compile(r" [-–—] ")
 _OF_ROOM = ("make", "rearrange", "free", "keep", "only")
 _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "make", "keep", "only")
 """Orders whose things are in the room already."""
@@ -61,7 +62,7 @@ _OF_LOOKS = ("make", "replace", "add", "put", "ensure")
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
-_OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
+_OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done", "obtained")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
 _AT_BACK = (*_ASIDE, "on", "against", "under")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
@@ -99,7 +100,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     """
     _check(text)
     lexicon = load("en")
-    plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
+    plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [_corrected(lexicon, token) for token in lexicon.tokens(plain)])
     said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
     tokens = without_reasons(lexicon, without_announcements(_without_commas(_included(in_between(said)))))
@@ -445,7 +446,8 @@ class _OrderReader:
             order.change = "wider" if more else order.change
             compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
             order.by |= compared and bool(order.lengths) and not order.bound
-        if order.doing == "put" and order.space and order.places and not order.things:
+        measured = order.doing == "keep" and len(order.lengths) == 1
+        if (order.doing == "put" or measured) and order.space and order.places and not order.things:
             order.doing = "free"
 
     def _is_had_by_each(self) -> bool:
@@ -661,7 +663,9 @@ class _OrderReader:
         noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
         phrase = self._phrase(noun)
-        if negated and order.things and self._mode == "things":
+        if negated and order.doing == "turn" and order.facing and order.things:
+            self._not_faced(noun)
+        elif negated and order.things and self._mode == "things":
             order.things[-1].spared.append(phrase)
             self._excepted = phrase
         elif negated:
@@ -1033,6 +1037,8 @@ class _OrderReader:
 
     def _compared(self, phrase: NounPhrase) -> None:
         """Read what a thing comes nearer to; "opposite the piano and 2 m away from it" is how far it is to be."""
+        if self._is_side_towards(phrase.noun):
+            return
         order, again = self.order, bool(self._anchors) and _is_it(phrase.noun)
         if again:
             phrase = NounPhrase(self._anchors[-1])
@@ -1044,6 +1050,18 @@ class _OrderReader:
         else:
             order.closer.append((bool(self._pending), phrase))
         self._pending = None
+
+    def _is_side_towards(self, noun: Noun) -> bool:
+        """Take "(next to the fridge,) on the side away from the stove" as one of its sides; whether it was that."""
+        places = self.order.things[-1].places if self.order.things else []
+        side, anchors = places[-1] if places else None, [n for n in self._anchors if n.kind == "thing"]
+        part = side is not None and side.noun is not None and side.noun.kind == "part" and side.noun.value == "side"
+        if not part or side is None or side.whole is not None or not anchors or noun.kind not in ("thing", "place"):
+            return False
+        side.whole, side.second = anchors[-1], noun
+        side.text = "on the side towards" if self._pending else AWAY_SIDE
+        self._pending = None
+        return True
 
     def _is_address(self, noun: Noun) -> bool:
         """Whether a noun speaks to somebody: "please, my dear"; one that nobody knows after a comma is lost alone."""
@@ -1119,7 +1137,7 @@ class _OrderReader:
             return isinstance(noun, Noun) and noun.kind == "thing"
         every = said is not None and (said.det in ("all", "each") or said.plural)
         counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
-        return every and counted and self._mode == "things"
+        return every and counted and self._mode in ("things", "instead")
 
     def _mutual(self, link: Connector) -> None:
         """Read "so that they face each other", "next to each other", or not so."""
@@ -1176,6 +1194,12 @@ class _OrderReader:
             self.order.facing.append(self._sided(self._merged(noun)))
             self._anchors = self.order.facing[-1:]
 
+    def _not_faced(self, noun: Noun) -> None:
+        """Take "(so that it faces the wardrobe,) not the bed" as what it is not to face."""
+        self._negated = False
+        for phrase in self.order.things:
+            phrase.places.append(Where("facing", self._merged(noun), negated=True, text="not facing"))
+
     def _sided(self, noun: Noun) -> Noun:
         """Take "(towards) the chair on the right" as the right one."""
         link, side = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
@@ -1221,6 +1245,9 @@ class _OrderReader:
             self._pending = True
         elif order.doing == "turn" and link.value == "at" and not towards and (self._excepted or self._faces_later()):
             self._placed(self._where(link))
+        elif order.doing == "turn" and self._negated and order.facing and isinstance(following, Noun):
+            self._at += 1
+            self._not_faced(following)
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
@@ -1261,6 +1288,9 @@ class _OrderReader:
         """Whether words say what for: "make room for a wheelchair", "a chair for the teacher"."""
         if link.value != "for":
             return False
+        if following.text.lower().startswith(("a group of ", "a party of ")):
+            self.order.purpose.append(following)
+            return True
         if following.kind == "people":
             self.order.lost.append(f"{link.text} {following.text}")
         elif self.order.doing in ("free", "gap"):
@@ -1297,6 +1327,9 @@ class _OrderReader:
             return
         if where.word == "instead" and where.noun is not None:
             self._instead_of(where, where.noun)
+            return
+        if where.word == "without" and where.noun is not None and means("distances", where.noun.word) == "gap":
+            order.touching = True
             return
         if where.word == "as" and where.noun is not None and where.noun.value == "possible":
             self._utmost(self._places()[-1] if self._places() else where)

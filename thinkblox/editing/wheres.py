@@ -13,7 +13,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
-from thinkblox.editing.orders import BEARS, BORE, NounPhrase
+from thinkblox.editing.orders import AWAY_SIDE, BEARS, BORE, NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -365,6 +365,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
+    if where.second is not None and len(anchors) == 1:
+        return Bound(_side_towards(finder, where, where.second, anchors[0]), anchors, where.negated)
     if noun.value in ("side", "end") and noun.det == "other":
         side = _other_side(finder, where, anchors[0], category)
         drawn = facts_of(category).is_in("seating") and load_habits().is_in(
@@ -386,6 +388,26 @@ def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
     if found is None or where.negated:
         raise InputError(f"'{_text(where)}' is no place that a thing can be put")
     return dataclasses.replace(found, middle=True)
+
+
+def _side_towards(finder: Finder, where: Where, mark: Noun, anchor: str) -> RelationKind:
+    """The side of a thing that is nearest to another, or farthest from it; of what stands at a wall its left or right.
+
+    Raises:
+        InputError: the other is not there, or could be several.
+    """
+    scene, thing = finder.scene, finder.scene[anchor]
+    names = (opening_named(scene, mark),) if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))
+    marks = [mark for name in names for mark in things(scene, name)]
+    if not marks:
+        raise InputError(f"the room has no {mark.text}")
+    nearest = min(marks, key=lambda m: math.dist(m.centre, thing.position[:2]))
+    ahead, left = thing.to_local(nearest.centre)
+    sign = -1.0 if where.text == AWAY_SIDE else 1.0
+    walled = measure(scene, "against_wall", anchor, ("wall",)).holds
+    if walled or abs(left) >= abs(ahead):
+        return "left_of" if sign * left > 0 else "right_of"
+    return "in_front_of" if sign * ahead > 0 else "behind"
 
 
 def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> RelationKind:
