@@ -105,8 +105,7 @@ def _sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
     anchor = scene[beside[0].anchors[0]]
     if scene.asset_of(anchor).front != "one" or anchor.support != "floor":
         return []
-    rest = [goal for goal in goals if goal is not beside[0]]
-    return [[*rest, Related(kind, (anchor.id,))] for kind in _SIDES]
+    return [[*goals, Related(kind, (anchor.id,))] for kind in _SIDES]
 
 
 def _stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:

@@ -32,7 +32,7 @@ from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
-from thinkblox.editing.wheres import Bound, named, slots_of
+from thinkblox.editing.wheres import Bound, by_distance, named, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError
@@ -456,7 +456,9 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
             _DOERS[order.doing](work, finder, order)
         except InputError as error:
             others = ", ".join(f"'{text}'" for text in dict.fromkeys(o.text for o in orders) if text != order.text)
-            raise InputError(f"{error}; nothing was done, {others} neither" if others else str(error)) from error
+            if not others or type(error) is not InputError:
+                raise
+            raise InputError(f"{error}; nothing was done, {others} neither") from error
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
         finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
@@ -657,7 +659,7 @@ def _takes(order: Order) -> bool:
     """Whether an order names things to be moved and not where to."""
     alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
-    return order.doing == "move" and alone and bool(order.things) and all(w.word == "from" for w in places)
+    return order.doing == "move" and alone and bool(order.things) and all(w.word == "from" or by_distance(w) for w in places)
 
 
 def _is_of_it(order: Order) -> bool:

@@ -6,7 +6,9 @@ from dataclasses import replace
 from thinkblox.editing.clauses import Clause
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
 
 _SHARING = ("move", "put", "make", "turn", "swap", "replace")
 _LINKS = (",", "and", "then", "but", "also")
@@ -58,6 +60,22 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             yield from each_order(parts[1], read)
             return
     yield whole
+
+
+def stand_between(last: Order | None, order: Order) -> None:
+    """Let "in between" be between the two that the order before has named: "move it away from the desk, put a bin ...".
+
+    Raises:
+        InputError: it has not named two.
+    """
+    nouns = [phrase.noun for phrase in last.things] if last is not None else []
+    said = [phrase.noun for _, phrase in (*last.closer, *last.apart)] if last is not None else []
+    said += [w.noun for p in last.things for w in p.places if w.noun is not None] if last is not None else []
+    known = [noun for noun in (*nouns, *said) if noun.kind == "thing" and noun.definite]
+    if len(known) != 2 or len(order.things) != 1 or order.things[0].places:
+        raise InputError(f"'{order.text}': between what? Name the two things")
+    order.things[0].places.append(Where("between", known[0], second=known[1], text="between"))
+    order.lost = []
 
 
 def _looks_and_stands(order: Order) -> bool:

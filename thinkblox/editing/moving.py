@@ -64,7 +64,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of, told_by
+from thinkblox.editing.wheres import Bound, anchored, bound, by_distance, named, slots_for, slots_of, spare, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -106,6 +106,8 @@ SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
 _LOOKS = ("facing", "opposite")
+_PUSHED = ("push", "shove")
+"""Verbs by which things come together without a gap, where that can be."""
 _FAR_OFF = ("to the front", "to the back")
 """What is no step, but the other end of the room, which nothing says of which."""
 _TO_FRONT = ("forward", "back")
@@ -424,6 +426,9 @@ def _split(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
+    told = [w for w in rest if not w.negated and by_distance(w)]
+    if told and phrase.noun.definite and (len(told) < len(rest) or order.mutual or order.together):
+        here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
     if order.closer or order.direction or order.seated or apart or order.doing == "resite":
         return [*here, *rest], []
@@ -828,8 +833,14 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         there = _also(work, finder, order, id) if also and not _cornered(also) else looks
-        close = [Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")] if order.touching else []
-        move_one(work, order, id, [goal, *close, *there])
+        close = Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")
+        pushed = beside and order.text.lower().split(" ", 1)[0] in _PUSHED
+        saved, said = work.saved(), len(work.failed)
+        move_one(work, order, id, [goal, *([close] if order.touching or pushed else []), *there])
+        if len(work.failed) > said and pushed and not order.touching:
+            work.restore(saved)
+            del work.failed[said:]
+            move_one(work, order, id, [goal, *there])
         placed.append(id)
     finder.recent = ids
 

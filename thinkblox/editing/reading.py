@@ -11,7 +11,7 @@ from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses, without_announcements, without_reasons
 from thinkblox.editing.corrections import corrected
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.ellipsis import each_order
+from thinkblox.editing.ellipsis import each_order, stand_between
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
@@ -125,7 +125,9 @@ def _orders(
         return _OrderReader(lexicon, clause, named, kinds).read()
 
     orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
-    for order in orders:
+    for number, order in enumerate(orders):
+        if order.lost == ["in between"] and order.doing in ("add", "put"):
+            stand_between(orders[number - 1] if number else None, order)
         unknown += order.lost
     return orders, unknown
 
@@ -446,7 +448,9 @@ class _OrderReader:
             order.change = "wider" if more else order.change
             compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
             order.by |= compared and bool(order.lengths) and not order.bound
-        measured = order.doing == "keep" and len(order.lengths) == 1
+        measured = order.doing in ("keep", "free", "make") and order.space and len(order.apart) == 1 and not order.things
+        if measured and order.places:
+            order.lengths, order.apart = [(order.apart[0][0], "")], []
         if (order.doing == "put" or measured) and order.space and order.places and not order.things:
             order.doing = "free"
 

@@ -108,7 +108,7 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
-        told = bool(_by_what(where)) or where.text in (BEARS, BORE)
+        told = bool(by_distance(where)) or where.text in (BEARS, BORE)
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
             continue
@@ -971,15 +971,15 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
-    by_distance = any(_by_what(where) for where in said)
-    found = finder.matching(phrase.noun, wide=by_distance)
+    wide = any(by_distance(where) for where in said)
+    found = finder.matching(phrase.noun, wide=wide)
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
             continue
-        if superlative := _by_what(where):
+        if superlative := by_distance(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
             continue
         if fitting := _by_any(finder, phrase, where, found):
@@ -1092,7 +1092,7 @@ def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Pl
     return held if len(held) == wanted else []
 
 
-def _by_what(where: Where) -> str:
+def by_distance(where: Where) -> str:
     """Whether it says which of several by their distance: "nearest" or "farthest"; empty where it does not."""
     words = where.text.lower().split()
     return next((found for word in words if (found := means("nearest", word) or means("nearer_of_two", word))), "")
