@@ -121,9 +121,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         clause = _settled(_turned_about(_of_lacking(Clause(start.doing, start.change, body, text))))
         if start.denied and start.doing in _BRINGS:
             continue
-        if refused and clause.tokens[:1] and clause.tokens[0].text in ("it", "them") and clause.doing in ("put", "move"):
-            clause = _not_there(clause, refused)
-        refused = ()
+        clause, refused = _not_there(clause, refused), ()
         if start.denied and clause.doing == "put" and number + 1 < len(starts) and _is_known_at(clause.tokens):
             refused = clause.tokens
             continue
@@ -157,7 +155,10 @@ def _placed_at(tokens: Sequence[Token]) -> int | None:
 
 
 def _not_there(clause: Clause, refused: Sequence[Token]) -> Clause:
-    """ "Don't put the table near the window; put it by the bookcase" as one order, with where it is not to be."""
+    """What is put "by the bookcase", with where it is not: "don't put the table near the window; put it by the ..."."""
+    again = clause.tokens[:1] and clause.tokens[0].text in ("it", "them") and clause.doing in ("put", "move")
+    if not refused or not again:
+        return clause
     said = [token for token in refused if token.text not in (*ENDS, ",", "but")]
     at = _placed_at(said) or len(said)
     body = [token for token in clause.tokens[1:] if token.text not in ENDS]

@@ -304,9 +304,9 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if _is_preferred(finder, order):
-        there = dataclasses.replace(order.things[0].noun, det="the", attributes=[], size=None, unshown=[], count=None)
-        others = {"doing": "replace", "things": [NounPhrase(there)], "instead": order.things, "there": False}
-        replace(work, finder, dataclasses.replace(order, **others))  # type: ignore[arg-type]
+        noun = dataclasses.replace(order.things[0].noun, det="the", attributes=[], size=None, unshown=[], count=None)
+        old = NounPhrase(noun)
+        replace(work, finder, dataclasses.replace(order, doing="replace", things=[old], instead=order.things))
         return
     if order.things and not any(known) and not order.rest:
         check_heeded(dataclasses.replace(order, doing="add", company=[]))
@@ -659,7 +659,8 @@ def _takes(order: Order) -> bool:
     """Whether an order names things to be moved and not where to."""
     alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
-    return order.doing == "move" and alone and bool(order.things) and all(w.word == "from" or by_distance(w) for w in places)
+    placed = any(w.word != "from" and not by_distance(w) for w in places)
+    return order.doing == "move" and alone and bool(order.things) and not placed
 
 
 def _is_of_it(order: Order) -> bool:

@@ -23,10 +23,7 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         clause: with one verb.
         read: reads a clause as one order.
     """
-    whole = read(clause)
-    if _looks_and_stands(whole) and _is_told_by_distance(whole):
-        yield replace(whole, doing="make")
-        return
+    whole = _of_looks(read(clause))
     if _looks_and_stands(whole):
         yield replace(whole, doing="make", things=[replace(p, places=[]) for p in whole.things], places=[])
         yield replace(whole, doing="put", looks=[], ruled_out=[], change="", lost=[])
@@ -48,8 +45,12 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             second.things = [_again(first)]
             yield from (first, second)
             return
-        sized = second.doing == "make" and not second.change and any(axis for _, axis in second.lengths)
-        if (first.things or first.room) and _is_change(first) and (_is_change(second) or sized) and not second.looks:
+        if (
+            (first.things or first.room)
+            and _is_change(first)
+            and (_is_change(second) or _is_size(second))
+            and not second.looks
+        ):
             if second.things or second.room:
                 continue
             second.things, second.room = [_again(first)] if first.things else [], first.room
@@ -62,8 +63,13 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
     yield whole
 
 
+def _of_looks(order: Order) -> Order:
+    """An order that says how a thing is to look, which is told by its distance, as one that makes it so."""
+    return replace(order, doing="make") if _looks_and_stands(order) and _is_told_by_distance(order) else order
+
+
 def stand_between(last: Order | None, order: Order) -> None:
-    """Let "in between" be between the two that the order before has named: "move it away from the desk, put a bin ...".
+    """Let "in between" be between the two that the order before has named: "put a bin in between".
 
     Raises:
         InputError: it has not named two.
@@ -147,6 +153,11 @@ def _at_spot(order: Order) -> bool:
 def _is_change(order: Order) -> bool:
     """Whether it says how the size of a thing or the room changes."""
     return order.doing == "make" and bool(order.change) and not order.change.endswith("=")
+
+
+def _is_size(order: Order) -> bool:
+    """Whether it says how large a side of a thing is to be: "2 m wide"."""
+    return order.doing == "make" and not order.change and any(axis for _, axis in order.lengths)
 
 
 def _is_step(order: Order) -> bool:

@@ -25,10 +25,8 @@ _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 def bring(work: Work, finder: Finder, order: Order) -> None:
     """Add what is new, with what goes along; "use a larger rug" makes the one that is there larger."""
-    if order.company and order.things and (order.things[-1].noun.degree not in ("", SAME) or _at_places(order)):
-        bring(work, finder, dataclasses.replace(order, company=[]))
-        for phrase in order.company if finder.recent and finder.recent[-1] in work.scene else ():
-            _let_have(work, finder, order, finder.recent[-1], phrase)
+    if order.company and order.things and (_is_compared(order.things[-1]) or _at_places(order)):
+        _bring_having(work, finder, order)
         return
     if order.company and order.things:
         along = [Where("with", phrase.noun, text="with") for phrase in order.company]
@@ -44,7 +42,7 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     if known and len(known) == len(order.things):
         move(work, finder, dataclasses.replace(order, doing="move"))
         return
-    compared = [p for p in order.things if p.noun.degree not in ("", SAME) and not p.noun.id]
+    compared = [p for p in order.things if _is_compared(p) and not p.noun.id]
     if len(order.things) == 1 and (sides := _sides_with_some(finder, order.things[0])):
         _complete(work, finder, order, sides)
         return
@@ -58,7 +56,15 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
             bring(work, finder, dataclasses.replace(order, things=[phrase]))
             finder.scene = work.before = work.scene
         return
-    phrase = compared[0]
+    _make_otherwise(work, finder, order, compared[0])
+
+
+def _make_otherwise(work: Work, finder: Finder, order: Order, phrase: NounPhrase) -> None:
+    """Make the one that is there larger, taller, ... where "a larger one" is wanted.
+
+    Raises:
+        InputError: none is there, or several are.
+    """
     found = held(finder, phrase)
     if len(found) != 1:
         there = ", ".join(found) or finder.listed()
@@ -67,6 +73,21 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     make(
         work, finder, Order("make", order.text, things=[phrase], change=change_of(phrase), looks=phrase.noun.attributes)
     )
+
+
+def _is_compared(phrase: NounPhrase) -> bool:
+    return phrase.noun.degree not in ("", SAME)
+
+
+def _bring_having(work: Work, finder: Finder, order: Order) -> None:
+    """Bring what has so many others at it: "a smaller table with two chairs, one on each side"."""
+    known = held(finder, order.things[-1]) if _is_compared(order.things[-1]) else []
+    for phrase in order.company if len(known) == 1 else ():
+        _let_have(work, finder, order, known[0], dataclasses.replace(phrase, places=[]))
+    finder.scene = work.before = work.scene
+    bring(work, finder, dataclasses.replace(order, company=[]))
+    for phrase in order.company if finder.recent and finder.recent[-1] in work.scene else ():
+        _let_have(work, finder, order, finder.recent[-1], phrase)
 
 
 def _at_places(order: Order) -> bool:

@@ -79,6 +79,8 @@ class Finder:
         Raises:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
+        if phrase.noun.kind == "abstract":
+            raise InputError(f"'{phrase.noun.text}' is not understood; say it by things that are in the room")
         ids = self._ids(phrase, picks, among)
         self.named += ids if phrase.noun.det != "other" else ()
         return ids
@@ -87,8 +89,6 @@ class Finder:
         noun = phrase.noun
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
-        if noun.kind == "abstract":
-            raise InputError(f"'{noun.text}' is not understood; say it by things that are in the room")
         if noun.kind == "pronoun" or self._is_of_others(noun):
             return self._part(phrase, self._spoken_of(noun))
         if noun.rows and noun.kind == "number":

@@ -366,10 +366,10 @@ class SeatRoom(Untied):
         mine, half = after[id], after[id].size[0] / 2
         solid = [p for p in after.placements if after.asset_of(p).collides and p.position[2] < SEAT_HEIGHT]
         solid = [p for p in solid if p.id != id and not facts_of(p.category).is_in("seating") and p.support == "floor"]
-        ends = [mine.to_room((half + out, side)) for out, side in ((0, -1), (SEAT_DEPTH, -1), (SEAT_DEPTH, 1), (0, 1))
-                for side in (side * SEAT_WIDTH / 2,)]  # fmt: skip
+        near, far, aside = half, half + SEAT_DEPTH, SEAT_WIDTH / 2
+        ends = [mine.to_room(end) for end in ((near, -aside), (far, -aside), (far, aside), (near, aside))]
         strip = Polygon(ends)
-        taken = strip.difference(after.room.polygon).area
+        taken = float(strip.difference(after.room.polygon).area)
         taken += sum(float(p.footprint.intersection(strip).area) for p in solid)
         free = SEAT_DEPTH - taken / SEAT_WIDTH
         return free >= SEAT_DEPTH - EXACT, f"{free:.2f} m to sit before {id}"

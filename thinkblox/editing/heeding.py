@@ -62,7 +62,7 @@ SAID = {
 
 
 def _takes_any(order: Order) -> bool:
-    """Whether it takes things away of which words that are not understood may say which: "the chairs that don't fit"."""
+    """Whether words that are not understood may say which are taken away: "the chairs that don't fit"."""
     told = (phrase.noun.many or phrase.noun.kind == "pronoun" for phrase in order.things)
     return order.doing == "remove" and any(told)
 

@@ -64,7 +64,18 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import Bound, anchored, bound, by_distance, named, slots_for, slots_of, spare, spot_of, told_by
+from thinkblox.editing.wheres import (
+    Bound,
+    anchored,
+    bound,
+    by_distance,
+    named,
+    slots_for,
+    slots_of,
+    spare,
+    spot_of,
+    told_by,
+)
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError

@@ -448,8 +448,8 @@ class _OrderReader:
             order.change = "wider" if more else order.change
             compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
             order.by |= compared and bool(order.lengths) and not order.bound
-        measured = order.doing in ("keep", "free", "make") and order.space and len(order.apart) == 1 and not order.things
-        if measured and order.places:
+        measured = order.doing in ("keep", "free", "make") and order.space and order.places and not order.things
+        if measured and len(order.apart) == 1:
             order.lengths, order.apart = [(order.apart[0][0], "")], []
         if (order.doing == "put" or measured) and order.space and order.places and not order.things:
             order.doing = "free"
@@ -834,11 +834,8 @@ class _OrderReader:
         everything = noun.kind == "abstract" and noun.text.lower() == "anything" and order.doing == "keep"
         if everything or (noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL):
             order.rest = True
-        elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
-            order.company.append(phrase)
-        elif self._is_theirs_too(noun):
-            own = order.company[-1].noun.text.split()[0]
-            order.company.append(replace(phrase, noun=replace(noun, det="my", text=f"{own} {noun.text}")))
+        elif (order.things and _is_theirs(noun) and order.doing in _WITH_ALONG) or self._is_theirs_too(noun):
+            order.company.append(replace(phrase, noun=self._theirs(noun)))
         elif self._is_within(noun):
             order.apart.append((order.lengths.pop()[0], phrase))
             self._distance, self._anchors = False, [noun]
@@ -858,6 +855,12 @@ class _OrderReader:
         else:
             self._lose(noun)
 
+    def _theirs(self, noun: Noun) -> Noun:
+        """What goes along as that of what was named before, also where its "its" is said of another: "its vase"."""
+        if _is_theirs(noun) or not self.order.company:
+            return noun
+        return replace(noun, det="my", text=f"{self.order.company[-1].noun.text.split()[0]} {noun.text}")
+
     def _is_theirs_too(self, noun: Noun) -> bool:
         """Whether a bare noun belongs to what was named before as well: "(with its chairs and) vase"."""
         before = self._items[self._at - 2] if self._at > 1 else None
@@ -876,7 +879,7 @@ class _OrderReader:
         return said
 
     def _is_one_of_company(self, noun: Noun) -> bool:
-        """Take where each of what goes along is to be: "(a table with two chairs,) one on each side"; whether it was."""
+        """Take where each of what goes along is to be: "(two chairs,) one on each side"; whether it was that."""
         company = self.order.company if self.order.doing in ("add", "put", "ensure") else []
         one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
         if not (company and one and (company[-1].noun.count or 0) > 1 and self._each_follows()):
@@ -1183,8 +1186,12 @@ class _OrderReader:
         return free
 
     def _face(self) -> None:
-        """Read "to face the room", "so that it faces the door"."""
+        """Read "to face the room", "so that it faces the door", "(the wardrobe,) not at the bed"."""
         following = self._items[self._at] if self._at < len(self._items) else None
+        if self._negated and self.order.facing and isinstance(following, Noun):
+            self._at += 1
+            self._not_faced(following)
+            return
         if isinstance(following, OrderMark) and following.key == "farther":
             return
         if self._faces_by_compass(following):
@@ -1249,9 +1256,6 @@ class _OrderReader:
             self._pending = True
         elif order.doing == "turn" and link.value == "at" and not towards and (self._excepted or self._faces_later()):
             self._placed(self._where(link))
-        elif order.doing == "turn" and self._negated and order.facing and isinstance(following, Noun):
-            self._at += 1
-            self._not_faced(following)
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
@@ -1332,15 +1336,13 @@ class _OrderReader:
         if where.word == "instead" and where.noun is not None:
             self._instead_of(where, where.noun)
             return
-        if where.word == "without" and where.noun is not None and means("distances", where.noun.word) == "gap":
-            order.touching = True
-            return
         if where.word == "as" and where.noun is not None and where.noun.value == "possible":
             self._utmost(self._places()[-1] if self._places() else where)
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
-        if self._is_on_new(where) or self._is_on_what_bears(where) or self._is_like_those(where):
+        said = (self._is_on_new(where), self._is_on_what_bears(where), self._is_like_those(where))
+        if any(said) or self._is_without_gap(where):
             return
         order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
@@ -1375,6 +1377,12 @@ class _OrderReader:
         """Whether a new thing is to be "like the others", as it is anyway."""
         other = where.noun is not None and where.noun.det == "other"
         return where.word == "as" and other and self.order.doing == "add"
+
+    def _is_without_gap(self, where: Where) -> bool:
+        """Take "(side by side) without a gap"; whether it was that."""
+        gap = where.noun is not None and means("distances", where.noun.word) == "gap"
+        self.order.touching |= where.word == "without" and gap
+        return where.word == "without" and gap
 
     def _narrowed(self) -> None:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""

@@ -9,7 +9,19 @@ from shapely import Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import BEFORE_SEAT, TOUCHES, Abreast, Across, AtHead, BySmall, Goal, Laid, MidOf, OnWall, Related
+from thinkblox.editing.goals import (
+    BEFORE_SEAT,
+    TOUCHES,
+    Abreast,
+    Across,
+    AtHead,
+    BySmall,
+    Goal,
+    Laid,
+    MidOf,
+    OnWall,
+    Related,
+)
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
