@@ -12,7 +12,7 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Related, Unhidden
+from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
@@ -323,6 +323,8 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     asset = asset or _asset(work, target, same=noun.degree == SAME)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
+    if any(isinstance(goal, Laid) for goal in goals):
+        direct = chain(likely(work.scene, asset, goals), direct)
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))

@@ -77,7 +77,7 @@ def stand_between(last: Order | None, order: Order) -> None:
     nouns = [phrase.noun for phrase in last.things] if last is not None else []
     said = [phrase.noun for _, phrase in (*last.closer, *last.apart)] if last is not None else []
     said += [w.noun for p in last.things for w in p.places if w.noun is not None] if last is not None else []
-    known = [noun for noun in (*nouns, *said) if noun.kind == "thing" and noun.definite]
+    known = [noun for noun in (*nouns, *said) if noun.kind in ("thing", "place") and noun.definite]
     if len(known) != 2 or len(order.things) != 1 or order.things[0].places:
         raise InputError(f"'{order.text}': between what? Name the two things")
     order.things[0].places.append(Where("between", known[0], second=known[1], text="between"))

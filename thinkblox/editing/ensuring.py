@@ -83,7 +83,10 @@ def _bring_having(work: Work, finder: Finder, order: Order) -> None:
     """Bring what has so many others at it: "a smaller table with two chairs, one on each side"."""
     known = held(finder, order.things[-1]) if _is_compared(order.things[-1]) else []
     for phrase in order.company if len(known) == 1 else ():
-        _let_have(work, finder, order, known[0], dataclasses.replace(phrase, places=[]))
+        it = Noun("thing", work.scene[known[0]].category, 0, 0, "it", det="the", id=known[0])
+        there = held(finder, dataclasses.replace(phrase, places=[Where("at", it, text="at")]))
+        if len(there) > (phrase.noun.count or len(there)):
+            _let_have(work, finder, order, known[0], dataclasses.replace(phrase, places=[]))
     finder.scene = work.before = work.scene
     bring(work, finder, dataclasses.replace(order, company=[]))
     for phrase in order.company if finder.recent and finder.recent[-1] in work.scene else ():

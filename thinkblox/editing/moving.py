@@ -270,7 +270,11 @@ def _line_up(work: Work, finder: Finder, order: Order, where: Where) -> None:
     """Let all that is named stand at one wall: at the longest at which it can."""
     said, saved, before, noun = (len(work.done), len(work.failed)), work.saved(), work.scene, where.noun
     failed: list[str] = []
-    walls_ = sorted(work.scene.room.walls, key=lambda wall: -wall.length)
+    lined = [p.position[:2] for phrase in order.things for p in finder.matching(phrase.noun)]
+    walls_ = sorted(
+        work.scene.room.walls,
+        key=lambda wall: (-round(wall.length, 1), sum(wall.coordinates(spot)[1] for spot in lined)),
+    )
     if noun is not None and noun.degree:
         named_ = bound(where, "", finder).anchors
         walls_ = [wall for wall in walls_ if wall.name in named_]

@@ -1,11 +1,12 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import cast
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses, without_announcements, without_reasons
@@ -124,12 +125,28 @@ def _orders(
     def read(clause: Clause) -> Order:
         return _OrderReader(lexicon, clause, named, kinds).read()
 
-    orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
+    parts = clauses(tokens, named, unknown)
+    orders = [order for clause in parts for order in _each(clause, read, [other.text for other in parts])]
     for number, order in enumerate(orders):
         if order.lost == ["in between"] and order.doing in ("add", "put"):
             stand_between(orders[number - 1] if number else None, order)
         unknown += order.lost
     return orders, unknown
+
+
+def _each(clause: Clause, read: Callable[[Clause], Order], texts: Sequence[str]) -> list[Order]:
+    """The orders of one of several clauses.
+
+    Raises:
+        InputError: one cannot be read, so that the others are not done either, which it says.
+    """
+    try:
+        return list(each_order(clause, read))
+    except InputError as error:
+        others = ", ".join(f"'{text}'" for text in dict.fromkeys(texts) if text != clause.text)
+        if not others or type(error) is not InputError:
+            raise
+        raise InputError(f"{error}; nothing was done, {others} neither") from error
 
 
 def _check(text: object) -> None:
@@ -903,6 +920,7 @@ class _OrderReader:
         usual = all(
             any(habit.kind == "on" and kind in habit.anchors for habit in load_habits().of(p.noun.value)) for p in later
         )
+        usual |= facts_of(kind).is_in("seating") and all(facts_of(p.noun.value).is_in("small") for p in later)
         if later and new and (each or usual):
             things[head].places += [Where("with", p.noun, text="with") for p in later]
             del things[head + 1 :]

@@ -86,8 +86,8 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
     if by and work.scene[by].asset != before[by].asset:
         _put_others(work, finder, order, came, [id for id in came if id not in ids], looks)
         for phrase in between:
-            there = [w for w in phrase.places if w not in looks]
-            _bring_to(work, finder, order, came, replace_fields(phrase, places=there))
+            where = [w for w in phrase.places if w not in looks]
+            _bring_to(work, finder, order, came, replace_fields(phrase, places=where))
     elif between or looks:
         work.failed += [f"{phrase.text} was not added: nothing came in place of {', '.join(ids)}" for phrase in between]
 
