@@ -292,3 +292,9 @@ def test_space_before_a_window_is_cleared_of_low_things() -> None:
     before = built(room(), ("armchair_1", 4.4, 4.5, 270.0, "floor"))
     after = done(before, "Make some space in front of the window").scene
     assert after["armchair_1"].footprint.distance(LineString([(3.6, 5.0), (5.2, 5.0)])) > 0.55
+
+
+def test_as_many_chairs_as_are_said_come_around_what_replaces_a_thing() -> None:
+    before = built(room(), ("sideboard_1", 3.0, 2.5, 90.0, "floor"))
+    after = done(before, "Replace the sideboard by a dining table with four chairs around it").scene
+    assert sum(p.category == "chair" for p in after.placements) == 4

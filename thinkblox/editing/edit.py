@@ -304,7 +304,9 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if _is_preferred(finder, order):
-        noun = dataclasses.replace(order.things[0].noun, det="the", attributes=[], size=None, unshown=[], count=None)
+        noun = dataclasses.replace(
+            order.things[0].noun, det="the", attributes=[], size=None, unshown=[], count=None, plural=False
+        )
         old = NounPhrase(noun)
         replace(work, finder, dataclasses.replace(order, doing="replace", things=[old], instead=order.things))
         return
@@ -323,10 +325,10 @@ def _is_preferred(finder: Finder, order: Order) -> bool:
     """Whether it says what somebody would rather have, of a kind of which one is there: "I'd rather have a big bed"."""
     noun = order.things[0].noun if len(order.things) == 1 else None
     said = longest("preferring", tokenise(order.text.lower()), 0) is not None
-    one = noun is not None and noun.kind == "thing" and not noun.definite and (noun.count or 1) == 1
-    if not (said and one) or noun is None or order.company or noun.degree or noun.det == "another" or noun.plural:
+    one = noun is not None and noun.kind == "thing" and not noun.definite
+    if not (said and one) or noun is None or order.company or noun.degree or noun.det == "another":
         return False
-    bare = dataclasses.replace(noun, attributes=[], size=None, unshown=[])
+    bare = dataclasses.replace(noun, attributes=[], size=None, unshown=[], count=None)
     return len(finder.matching(bare)) == 1 and not order.things[0].places
 
 

@@ -275,7 +275,8 @@ class Finder:
         joined = [p for p in joined if not facts_of(p.category).is_in("small")]
         joined = joined or [p for p in self.scene.placements if _is_holder_of(p.category, word)]
         says = f"'{noun.text}' is taken to be {_ids(joined)}"
-        self.seen += [says] if joined and says not in self.seen else []
+        told = len(joined) == 1 or noun.many or noun.det in ("all", "both", "each")
+        self.seen += [says] if joined and told and says not in self.seen else []
         return joined
 
     def nothing(self, text: str) -> InputError:

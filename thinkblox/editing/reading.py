@@ -1637,6 +1637,7 @@ class _OrderReader:
         things = self.order.things
         alone = where.noun is not None and _is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
         told = self.order.rest if self.order.doing == "keep" else self.order.doing in _ON_KNOWN
+        alone &= self._mode != "instead"
         return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
     def _of_result(self, where: Where) -> None:

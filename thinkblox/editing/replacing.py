@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add_one, add_with, category_of, of_size
+from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
@@ -111,6 +111,12 @@ def _bring_to(work: Work, finder: Finder, order: Order, came: Sequence[str], phr
     """Add what is to stand somewhere to what has come: "a coffee table between them"."""
     there, said = {p.id for p in work.scene.placements}, len(work.failed)
     finder.scene = work.before = work.scene
+    if not any(where.word == "between" for where in phrase.places):
+        alike = [id for id in came if work.scene[id].category == work.scene[came[0]].category]
+        one = any(w.noun is not None and w.noun.kind == "pronoun" and w.noun.value == "it" for w in phrase.places)
+        finder.recent, finder.about = alike[:1] if one else alike, ""
+        add(work, finder, Order("add", order.text, things=[phrase]))
+        return
     category = category_of(work, phrase.noun, ())
     near: list[Goal] = [Related("near", (came[0],))]
     id = add_one(work, category, phrase.noun, near) if came[0] in work.scene else ""
