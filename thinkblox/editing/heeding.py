@@ -81,6 +81,6 @@ def check_heeded(order: Order) -> None:
         raise InputError(f"'{order.text}': '{', '.join(order.lost)}' is not understood, so that nothing was done")
     if over:
         raise InputError(
-            f"'{order.text}' also says {', '.join(over)}, which is not followed in one order with it; say it as an order"
+            f"'{order.text}' also says {', '.join(over)}, which is not followed together with it; say it as an order"
             " of its own"
         )
