@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from shapely import LineString
 
 from tests.edited_rooms import bedroom, built, living, placed, room
 from tests.test_editing_guard import done
@@ -233,3 +234,67 @@ def test_two_things_that_touch_come_apart_by_what_is_said() -> None:
     before = built(room(), ("bookcase_1", 2.0, 4.75, 270.0, "floor"), ("bookcase_2", 2.93, 4.75, 270.0, "floor"))
     edit = edit_room(before, "Move the bookcases 50 cm apart")
     assert edit.failed or gap(edit.scene, "bookcase_1", "bookcase_2") > 0.45
+
+
+def test_back_from_a_thing_is_away_from_it() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("coffee_table_1", 3.0, 1.9, 90.0, "floor"))
+    after = done(before, "Move the coffee table 20 cm back from the sofa").scene
+    assert after["coffee_table_1"].position[1] == pytest.approx(2.1, abs=0.02)
+
+
+def test_across_from_a_thing_is_before_its_middle() -> None:
+    before = built(room(), ("sofa_1", 0.6, 2.5, 0.0, "floor"), ("armchair_1", 3.0, 4.4, 270.0, "floor"))
+    after = done(before, "Put the armchair across from the sofa").scene
+    assert abs(after["armchair_1"].position[1] - 2.5) < 0.3
+    assert off(after, "armchair_1", "sofa_1") < 20.0
+
+
+def test_plates_come_before_seats_and_not_on_them() -> None:
+    before = built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"), ("chair_1", 2.6, 1.75, 90.0, "floor"))
+    after = done(before, "Add two more chairs at the table with plates").scene
+    plates = [p for p in after.placements if p.category == "plate"]
+    assert [p.support for p in plates] == ["dining_table_1"] * 2
+
+
+def test_what_comes_between_two_that_replace_one_is_between_them() -> None:
+    before = built(room(7.0, 5.0), ("sofa_1", 3.5, 4.5, 270.0, "floor"))
+    after = done(before, "Replace the sofa by two armchairs with a coffee table between them").scene
+    table = next(p for p in after.placements if p.category == "coffee_table")
+    sides = sorted(p.position[0] for p in after.placements if p.category == "armchair")
+    assert sides[0] < table.position[0] < sides[1]
+
+
+def test_a_second_screen_hides_no_other() -> None:
+    before = built(room(), ("desk_1", 3.0, 2.5, 90.0, "floor"), ("monitor_1", 3.0, 2.4, 90.0, "desk_1"))
+    edit = edit_room(before, "Give the desk a second monitor")
+    for screen in (p for p in edit.scene.placements if p.id not in before):
+        _, left = before["monitor_1"].to_local(screen.position[:2])
+        assert abs(left) >= before["monitor_1"].size[1] - 0.05
+    assert edit.failed or len(edit.scene.placements) == 3
+
+
+def test_who_is_to_sit_with_the_back_to_a_wall_has_room_there() -> None:
+    before = built(room(), ("desk_1", 4.0, 0.45, 90.0, "floor"))
+    after = done(before, "Turn the desk round so I sit with my back to the wall").scene
+    desk = after["desk_1"]
+    assert desk.yaw == pytest.approx(270.0)
+    assert desk.position[1] - desk.size[0] / 2 > 0.7
+
+
+def test_a_wider_rug_grows_across() -> None:
+    before = built(room(), ("rug_1", 3.0, 2.5, 0.0, "floor"))
+    old, new = before["rug_1"].size, done(before, "Make the rug 30 cm wider but not longer").scene["rug_1"].size
+    assert min(new[:2]) == pytest.approx(min(old[:2]) + 0.3, abs=0.02)
+    assert max(new[:2]) == pytest.approx(max(old[:2]), abs=0.02)
+
+
+def test_space_before_a_window_is_cleared_of_low_things() -> None:
+    before = built(room(), ("armchair_1", 4.4, 4.5, 270.0, "floor"))
+    after = done(before, "Make some space in front of the window").scene
+    assert after["armchair_1"].footprint.distance(LineString([(3.6, 5.0), (5.2, 5.0)])) > 0.55
+
+
+def test_as_many_chairs_as_are_said_come_around_what_replaces_a_thing() -> None:
+    before = built(room(), ("sideboard_1", 3.0, 2.5, 90.0, "floor"))
+    after = done(before, "Replace the sideboard by a dining table with four chairs around it").scene
+    assert sum(p.category == "chair" for p in after.placements) == 4

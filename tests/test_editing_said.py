@@ -753,3 +753,67 @@ def test_a_chair_behind_a_desk_is_drawn_up_to_it() -> None:
     before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"))
     after = done(before, "Put a chair behind the desk").scene
     assert measure(after, "at", "chair_1", ("desk_1",)).holds
+
+
+def test_what_is_its_own_is_said_once() -> None:
+    (order,) = read_instruction("Remove the table closest to the counter, including its chairs and vase.").orders
+    assert [(p.noun.value, p.noun.det) for p in order.company] == [("chair", "my"), ("vase", "my")]
+    assert len(order.things) == 1
+
+
+def test_nothing_is_taken_away_of_what_is_not_wholly_understood() -> None:
+    with pytest.raises(InputError, match="not understood"):
+        edit_room(dining(2), "Get rid of the chairs that don't fit")
+
+
+def test_a_smaller_table_can_come_with_fewer_chairs_at_its_sides() -> None:
+    before = built(
+        room(),
+        ("dining_table_1", 3.0, 2.5, 90.0, "floor"),
+        ("chair_1", 2.6, 1.75, 90.0, "floor"),
+        ("chair_2", 3.4, 1.75, 90.0, "floor"),
+        ("chair_3", 2.6, 3.25, 270.0, "floor"),
+    )
+    after = done(before, "I want a smaller table with only two chairs, one on each side").scene
+    table, chairs = after["dining_table_1"], [p for p in after.placements if p.category == "chair"]
+    ahead = sorted(table.to_local(p.position[:2])[0] for p in chairs)
+    assert len(chairs) == 2
+    assert ahead[0] < 0.0 < ahead[1]
+
+
+def test_what_goes_by_a_thing_that_was_not_added_is_told() -> None:
+    edit = edit_room(dining(2), "Hang a clock over the table and a wall shelf to the left of it")
+    assert len(edit.failed) == 2
+    assert not edit.changes
+
+
+def test_the_other_orders_are_told_where_one_is_refused() -> None:
+    with pytest.raises(InputError, match="'rotate the coffee table 90 degrees' neither"):
+        edit_room(living(), "Get rid of the piano and rotate the coffee table 90 degrees")
+
+
+@pytest.mark.parametrize(
+    ("said", "doing", "thing"),
+    [
+        ("We got a new side table - can you squeeze it in between the sofa and the desk?", "put", "side_table"),
+        ("We bought a plant, please put it next to the sofa", "put", "plant"),
+        ("Leave at least a metre of free space in front of the sofa", "free", ""),
+        ("Split the bunk bed into two single beds", "replace", "bunk_bed"),
+        ("Don't put the desk near the window; put it by the sofa", "put", "desk"),
+    ],
+)
+def test_other_ways_to_say_an_order(said: str, doing: str, thing: str) -> None:
+    (order,) = read_instruction(said).orders
+    assert order.doing == doing
+    assert not thing or order.things[0].noun.value == thing
+
+
+def test_what_somebody_would_rather_have_comes_in_place() -> None:
+    after = done(bedroom(), "I'd rather have a single bed").scene
+    assert [p.id for p in after.placements if p.category == "bed"] == ["bed_1"]
+
+
+def test_not_to_face_a_thing_is_held() -> None:
+    (order,) = read_instruction("Turn the armchair so it looks at the desk, not at the sofa").orders
+    assert [noun.value for noun in order.facing] == ["desk"]
+    assert [(w.noun.value, w.negated) for w in order.things[0].places if w.noun] == [("sofa", True)]

@@ -9,6 +9,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
+    Across,
     Amid,
     AtHead,
     BackTo,
@@ -31,7 +32,7 @@ from thinkblox.editing.spots import Pose, likely
 from thinkblox.editing.wheres import Bound, bound, named, opening_named
 from thinkblox.editing.work import Saved, Work
 from thinkblox.errors import InputError
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, is_object
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.landmarks import things, walls
@@ -45,6 +46,8 @@ def _closely(there: Bound) -> Goal | None:
     """The goal of a place that is held more closely than prompts hold it; None of any other."""
     if there.kind == "between" and len(there.anchors) == 2 and not there.negated:
         return Amid("between", there.anchors)
+    if there.kind == "opposite" and len(there.anchors) == 1 and not there.negated and is_object(there.anchors[0]):
+        return Across("opposite", there.anchors)
     return BySmall("next_to", there.anchors) if there.upon and there.kind == "next_to" else None
 
 
@@ -102,8 +105,7 @@ def _sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
     anchor = scene[beside[0].anchors[0]]
     if scene.asset_of(anchor).front != "one" or anchor.support != "floor":
         return []
-    rest = [goal for goal in goals if goal is not beside[0]]
-    return [[*rest, Related(kind, (anchor.id,))] for kind in _SIDES]
+    return [[*goals, Related(kind, (anchor.id,))] for kind in _SIDES]
 
 
 def _stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:

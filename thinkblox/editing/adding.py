@@ -12,7 +12,7 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Related
+from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
@@ -21,6 +21,7 @@ from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import things as known_things
 from thinkblox.plan import Target
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -52,12 +53,22 @@ def add(work: Work, finder: Finder, order: Order) -> None:
     before = bool(finder.recent or finder.past.about)
     _fix_it(finder, order)
     for number, phrase in enumerate(order.things):
+        if number and not recent and any(map(_is_by_it, phrase.places)):
+            work.failed.append(f"{phrase.text} was not added: what it is to go by was not added either")
+            continue
         later = next((p.places for p in order.things[number:] if p.places), order.places)
         if not before:
             later = [w for w in later if w.noun is None or w.noun.kind != "pronoun"]
         recent += _add(work, finder, order, phrase, phrase.places or later)
         finder.scene, finder.recent = work.scene, recent or finder.recent
     finder.recent = recent
+
+
+def _is_by_it(where: Where) -> bool:
+    """Whether a place is at "it", or a side of it."""
+    nouns = [noun for noun in (where.noun, where.whole) if noun is not None]
+    side = where.whole is None and any(noun.kind == "part" and noun.det == "my" for noun in nouns)
+    return side or any(noun.kind == "pronoun" and noun.value == "it" for noun in nouns)
 
 
 def _fix_it(finder: Finder, order: Order) -> None:
@@ -238,10 +249,22 @@ def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], alo
     for head in heads if along else ():
         finder.scene, finder.recent = work.scene, [head]
         for where in along:
-            it = Where("to", Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head), text="at")
-            if where.noun is not None:
-                added += _add(work, finder, Order("add", order.text), NounPhrase(where.noun), [it])
+            noun = where.noun
+            it = Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head)
+            if noun is not None and _is_laid_before(work, noun.value, head):
+                one = replace(noun, count=1, plural=False) if noun.plural and not noun.count else noun
+                added += _add(work, finder, Order("add", order.text), NounPhrase(one), [Where("in_front_of", it)])
+            elif noun is not None:
+                added += _add(work, finder, Order("add", order.text), NounPhrase(noun), [Where("to", it, text="at")])
     return added
+
+
+def _is_laid_before(work: Work, category: str, seat: str) -> bool:
+    """Whether what comes along with a seat lies before it on its table, as a plate does, and not on the seat itself."""
+    own = work.scene[seat].category
+    small = facts_of(own).is_in("seating") and facts_of(category).is_in("small")
+    habits = [habit for habit in load_habits().of(category) if habit.kind == "on"]
+    return small and not any(own in habit.anchors for habit in habits)
 
 
 def _compared(finder: Finder, category: str, nearer: bool, other: NounPhrase) -> Goal:
@@ -285,6 +308,10 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
 def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, asset: Asset | None = None) -> str:
     """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted."""
     id = work.new_id(category)
+    if load_habits().is_in(category, "screens"):
+        others = [p.id for p in work.scene.placements if load_habits().is_in(p.category, "screens")]
+        others = [name for name in others if work.asset_of(name).mount == "surface"]
+        goals = [*goals, Unhidden(tuple(others))] if others else goals
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
@@ -296,6 +323,8 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     asset = asset or _asset(work, target, same=noun.degree == SAME)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
+    if any(isinstance(goal, Laid) for goal in goals):
+        direct = chain(likely(work.scene, asset, goals), direct)
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))

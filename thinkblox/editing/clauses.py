@@ -28,6 +28,7 @@ _NEWS = ("add", "put", "want")
 _ANNOUNCING = ("want", "make", "rearrange", "ensure", "clear", "free")
 _AGAIN = ("it", "its", "them", "their", "they")
 _NOT = Token("not", "not", "word", start=-1)
+_COMMA = Token(",", ",", "mark", start=-1)
 _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
@@ -87,20 +88,24 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
     tokens = _led(tokens)
-    starts = list(_starts(tokens)) or _asked_for(tokens)
+    starts = _going_on(tokens, list(_starts(tokens))) or _asked_for(tokens)
     lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
     starts, lead = _unwanted(tokens, starts, lead)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
-    lead = [] if about or disliked or _is_reason(lead) else lead
+    new = _obtained(lead)
+    lead = [] if about or disliked or new or _is_reason(lead) else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
+    refused: tuple[Token, ...] = ()
     for number, start in enumerate(starts):
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
         if not number and about:
             body = _compared_with(told, body)
-        if not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
+        if not number and new and body[:1] and body[0].text in ("it", "them") and start.doing in ("move", "put"):
+            body, start = (*new, *body[1:]), replace(start, doing="put")
+        elif not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
             alone = _ends(body, 1) and start.doing in ("move", "put")
             body = (
                 *(about or disliked),
@@ -116,10 +121,48 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         clause = _settled(_turned_about(_of_lacking(Clause(start.doing, start.change, body, text))))
         if start.denied and start.doing in _BRINGS:
             continue
+        clause, refused = _not_there(clause, refused), ()
+        if start.denied and clause.doing == "put" and number + 1 < len(starts) and _is_known_at(clause.tokens):
+            refused = clause.tokens
+            continue
         if start.denied and clause.doing in ("put", "keep", "make", "free"):
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made += _denied(clause) if start.denied else [clause]
     return made
+
+
+def _going_on(tokens: Sequence[Token], starts: list[_Start]) -> list[_Start]:
+    """The clauses, where "(the armchair should be red) and face the door" says more of what the wish is about."""
+    left: list[_Start] = []
+    for start in starts:
+        wished = bool(left) and left[-1].doing == "put" and bool(left[-1].before)
+        linked = start.begin > 0 and tokens[start.begin - 1].text == "and" and tokens[start.begin].text == "face"
+        if wished and linked and start.doing == "turn" and start.body == start.begin + 1:
+            it = replace(_TO, text="it", shown="it")
+            start = replace(start, doing="put", body=start.begin, before=(it,))
+        left.append(start)
+    return left
+
+
+def _is_known_at(tokens: Sequence[Token]) -> bool:
+    """Whether it names a thing that is there, and a place: "(don't put) the play table near the window"."""
+    placed = _placed_at(tokens)
+    return placed is not None and tokens[0].text in ("the", "my", "our", "that", "this")
+
+
+def _placed_at(tokens: Sequence[Token]) -> int | None:
+    return next((n for n in range(1, len(tokens)) if grammar().at(tokens, n, "prepositions") is not None), None)
+
+
+def _not_there(clause: Clause, refused: Sequence[Token]) -> Clause:
+    """What is put "by the bookcase", with where it is not: "don't put the table near the window; put it by the ..."."""
+    again = clause.tokens[:1] and clause.tokens[0].text in ("it", "them") and clause.doing in ("put", "move")
+    if not refused or not again:
+        return clause
+    said = [token for token in refused if token.text not in (*ENDS, ",", "but")]
+    at = _placed_at(said) or len(said)
+    body = [token for token in clause.tokens[1:] if token.text not in ENDS]
+    return replace(clause, tokens=(*said[:at], *body, _COMMA, _NOT, *said[at:]))
 
 
 def _denied(clause: Clause) -> list[Clause]:
@@ -260,6 +303,17 @@ def _is_of_other(start: _Start, body: Sequence[Token]) -> bool:
     return new and one and start.doing in (*_NEWS, "move")
 
 
+def _obtained(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a sentence says to be new: "we got a new side table"; empty where it is another."""
+    for at in range(len(lead)):
+        if (found := longest("obtained", lead, at)) is not None:
+            end = at + found[1] - (2 if lead[at + found[1] - 1].text == "new" else 0)
+            said = [token for token in lead[end:] if token.text not in (*ENDS, *_LINKS, "so", "new")]
+            fits = bool(said) and (said[0].text in ("a", "an", "some", "another") or said[0].kind == "number")
+            return tuple(token for token in said if not _is_filler(lead, token)) if fits else ()
+    return ()
+
+
 def _disliked(lead: Sequence[Token]) -> tuple[Token, ...]:
     """What is said not to be liked before an order."""
     first = _first(lead)
@@ -277,7 +331,7 @@ def told_before(tokens: Sequence[Token]) -> int:
     starts, lead = _unwanted(tokens, starts, tokens[:begun])
     if starts and starts[0].begin > begun:
         return starts[0].begin
-    return len(lead) if _about(lead) or _disliked(lead) or _is_reason(lead) else 0
+    return len(lead) if _about(lead) or _disliked(lead) or _obtained(lead) or _is_reason(lead) else 0
 
 
 def _is_reason(lead: Sequence[Token]) -> bool:
@@ -697,8 +751,15 @@ def _is_list(subject: Sequence[Token]) -> bool:
     return bool(commas) and not any(token.text == "and" for token in subject[commas[-1] :])
 
 
+def _nearest_of(subject: Sequence[Token]) -> tuple[Token, ...]:
+    """What a wish is about, where "(the armchair) closer to the door" is the one that is so."""
+    words = {"closer": "nearest", "nearer": "nearest", "further": "farthest", "farther": "farthest"}
+    told = [n for n in range(1, len(subject) - 1) if subject[n].text in words and subject[n + 1].text in ("to", "from")]
+    return tuple(replace(token, text=words[token.text]) if n in told else token for n, token in enumerate(subject))
+
+
 def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> _Start:
-    subject, after = tuple(tokens[at:index]), index + length
+    subject, after = _nearest_of(tokens[at:index]), index + length
     last = tokens[after - 1].text
     if subject[0].text in _NOTHING and key in ("put", "block"):
         return _Start(at, after, "free")

@@ -232,7 +232,8 @@ class ClauseCutter:
             return OrderMark("markers", key), length
         if key == "there" and self._doing not in _PUTTING:
             key = "as_is"
-        if key in _AT_END and self._ends(tokens, at + length):
+        followed = at + length < len(tokens) and key == "together" and tokens[at + length].text == "for"
+        if key in _AT_END and (followed or self._ends(tokens, at + length)):
             return OrderMark("markers", key), length
         return None
 

@@ -15,7 +15,7 @@ from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.grammar import means
+from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
 from thinkblox.editing.making import hang, hangs_down, make
@@ -32,7 +32,7 @@ from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
-from thinkblox.editing.wheres import Bound, named, slots_of
+from thinkblox.editing.wheres import Bound, by_distance, named, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError
@@ -44,6 +44,7 @@ from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.tokens import tokenise
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene, load_scene
@@ -302,6 +303,13 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
         return
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
+    if _is_preferred(finder, order):
+        noun = dataclasses.replace(
+            order.things[0].noun, det="the", attributes=[], size=None, unshown=[], count=None, plural=False
+        )
+        old = NounPhrase(noun)
+        replace(work, finder, dataclasses.replace(order, doing="replace", things=[old], instead=order.things))
+        return
     if order.things and not any(known) and not order.rest:
         check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
@@ -311,6 +319,17 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
             finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _is_preferred(finder: Finder, order: Order) -> bool:
+    """Whether it says what somebody would rather have, of a kind of which one is there: "I'd rather have a big bed"."""
+    noun = order.things[0].noun if len(order.things) == 1 else None
+    said = longest("preferring", tokenise(order.text.lower()), 0) is not None
+    one = noun is not None and noun.kind == "thing" and not noun.definite
+    if not (said and one) or noun is None or order.company or noun.degree or noun.det == "another":
+        return False
+    bare = dataclasses.replace(noun, attributes=[], size=None, unshown=[], count=None)
+    return len(finder.matching(bare)) == 1 and not order.things[0].places
 
 
 def _is_of_pair(finder: Finder, phrase: NounPhrase, later: Sequence[NounPhrase]) -> bool:
@@ -433,9 +452,15 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
         work.order = (number, order.text)
         finder.owners, finder.several, finder.named, finder.about = [], [], [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
-        _on_either(order, finder)
-        _check_back(order, finder)
-        _DOERS[order.doing](work, finder, order)
+        try:
+            _on_either(order, finder)
+            _check_back(order, finder)
+            _DOERS[order.doing](work, finder, order)
+        except InputError as error:
+            others = ", ".join(f"'{text}'" for text in dict.fromkeys(o.text for o in orders) if text != order.text)
+            if not others or type(error) is not InputError:
+                raise
+            raise InputError(f"{error}; nothing was done, {others} neither") from error
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
         finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
@@ -636,7 +661,8 @@ def _takes(order: Order) -> bool:
     """Whether an order names things to be moved and not where to."""
     alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
-    return order.doing == "move" and alone and bool(order.things) and all(w.word == "from" for w in places)
+    placed = any(w.word != "from" and not by_distance(w) for w in places)
+    return order.doing == "move" and alone and bool(order.things) and not placed
 
 
 def _is_of_it(order: Order) -> bool:

@@ -4,8 +4,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from thinkblox.editing.clauses import Clause
+from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
 
 _SHARING = ("move", "put", "make", "turn", "swap", "replace")
 _LINKS = (",", "and", "then", "but", "also")
@@ -20,7 +23,7 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         clause: with one verb.
         read: reads a clause as one order.
     """
-    whole = read(clause)
+    whole = _of_looks(read(clause))
     if _looks_and_stands(whole):
         yield replace(whole, doing="make", things=[replace(p, places=[]) for p in whole.things], places=[])
         yield replace(whole, doing="put", looks=[], ruled_out=[], change="", lost=[])
@@ -42,7 +45,12 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             second.things = [_again(first)]
             yield from (first, second)
             return
-        if (first.things or first.room) and _is_change(first) and _is_change(second) and not second.looks:
+        if (
+            (first.things or first.room)
+            and _is_change(first)
+            and (_is_change(second) or _is_size(second))
+            and not second.looks
+        ):
             if second.things or second.room:
                 continue
             second.things, second.room = [_again(first)] if first.things else [], first.room
@@ -55,11 +63,42 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
     yield whole
 
 
+def _of_looks(order: Order) -> Order:
+    """An order that says how a thing is to look, which is told by its distance, as one that makes it so."""
+    return replace(order, doing="make") if _looks_and_stands(order) and _is_told_by_distance(order) else order
+
+
+def stand_between(last: Order | None, order: Order) -> None:
+    """Let "in between" be between the two that the order before has named: "put a bin in between".
+
+    Raises:
+        InputError: it has not named two.
+    """
+    nouns = [phrase.noun for phrase in last.things] if last is not None else []
+    said = [phrase.noun for _, phrase in (*last.closer, *last.apart)] if last is not None else []
+    said += [w.noun for p in last.things for w in p.places if w.noun is not None] if last is not None else []
+    known = [noun for noun in (*nouns, *said) if noun.kind in ("thing", "place") and noun.definite]
+    if len(known) != 2 or len(order.things) != 1 or order.things[0].places:
+        raise InputError(f"'{order.text}': between what? Name the two things")
+    order.things[0].places.append(Where("between", known[0], second=known[1], text="between"))
+    order.lost = []
+
+
 def _looks_and_stands(order: Order) -> bool:
     """Whether it says of a thing that is there how it is to look, and where it is to be: "green, and by the door"."""
     known = bool(order.things) and all(phrase.noun.definite or phrase.id for phrase in order.things)
     placed = bool(order.places) or any(phrase.places for phrase in order.things)
     return order.doing == "put" and bool(order.looks) and known and placed and not order.lengths
+
+
+def _is_told_by_distance(order: Order) -> bool:
+    """Whether its only place says which of several it is about: "the armchair closer to the door should be red"."""
+    places = [*order.places, *(where for phrase in order.things for where in phrase.places)]
+    return all(where.word in ("near", "far") and _is_superlative(where.text) for where in places)
+
+
+def _is_superlative(text: str) -> bool:
+    return any(means(section, word) for word in text.lower().split() for section in ("nearest", "nearer_of_two"))
 
 
 def _looks_and_more(order: Order) -> bool:
@@ -114,6 +153,11 @@ def _at_spot(order: Order) -> bool:
 def _is_change(order: Order) -> bool:
     """Whether it says how the size of a thing or the room changes."""
     return order.doing == "make" and bool(order.change) and not order.change.endswith("=")
+
+
+def _is_size(order: Order) -> bool:
+    """Whether it says how large a side of a thing is to be: "2 m wide"."""
+    return order.doing == "make" and not order.change and any(axis for _, axis in order.lengths)
 
 
 def _is_step(order: Order) -> bool:

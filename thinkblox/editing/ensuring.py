@@ -9,7 +9,7 @@ from thinkblox.editing.adding import add, category_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
-from thinkblox.editing.moving import move
+from thinkblox.editing.moving import move, move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.wheres import BELONGING, Bound, bound, slots_of
@@ -25,6 +25,9 @@ _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 def bring(work: Work, finder: Finder, order: Order) -> None:
     """Add what is new, with what goes along; "use a larger rug" makes the one that is there larger."""
+    if order.company and order.things and (_is_compared(order.things[-1]) or _at_places(order)):
+        _bring_having(work, finder, order)
+        return
     if order.company and order.things:
         along = [Where("with", phrase.noun, text="with") for phrase in order.company]
         last = dataclasses.replace(order.things[-1], places=[*order.things[-1].places, *along])
@@ -39,7 +42,7 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     if known and len(known) == len(order.things):
         move(work, finder, dataclasses.replace(order, doing="move"))
         return
-    compared = [p for p in order.things if p.noun.degree not in ("", SAME) and not p.noun.id]
+    compared = [p for p in order.things if _is_compared(p) and not p.noun.id]
     if len(order.things) == 1 and (sides := _sides_with_some(finder, order.things[0])):
         _complete(work, finder, order, sides)
         return
@@ -53,7 +56,15 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
             bring(work, finder, dataclasses.replace(order, things=[phrase]))
             finder.scene = work.before = work.scene
         return
-    phrase = compared[0]
+    _make_otherwise(work, finder, order, compared[0])
+
+
+def _make_otherwise(work: Work, finder: Finder, order: Order, phrase: NounPhrase) -> None:
+    """Make the one that is there larger, taller, ... where "a larger one" is wanted.
+
+    Raises:
+        InputError: none is there, or several are.
+    """
     found = held(finder, phrase)
     if len(found) != 1:
         there = ", ".join(found) or finder.listed()
@@ -62,6 +73,51 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     make(
         work, finder, Order("make", order.text, things=[phrase], change=change_of(phrase), looks=phrase.noun.attributes)
     )
+
+
+def _is_compared(phrase: NounPhrase) -> bool:
+    return phrase.noun.degree not in ("", SAME)
+
+
+def _bring_having(work: Work, finder: Finder, order: Order) -> None:
+    """Bring what has so many others at it: "a smaller table with two chairs, one on each side"."""
+    known = held(finder, order.things[-1]) if _is_compared(order.things[-1]) else []
+    for phrase in order.company if len(known) == 1 else ():
+        it = Noun("thing", work.scene[known[0]].category, 0, 0, "it", det="the", id=known[0])
+        there = held(finder, dataclasses.replace(phrase, places=[Where("at", it, text="at")]))
+        if len(there) > (phrase.noun.count or len(there)):
+            _let_have(work, finder, order, known[0], dataclasses.replace(phrase, places=[]))
+    finder.scene = work.before = work.scene
+    bring(work, finder, dataclasses.replace(order, company=[]))
+    for phrase in order.company if finder.recent and finder.recent[-1] in work.scene else ():
+        _let_have(work, finder, order, finder.recent[-1], phrase)
+
+
+def _at_places(order: Order) -> bool:
+    """Whether it is said where what comes along stands: "a table with two chairs, one on each side"."""
+    return any(phrase.places for phrase in order.company)
+
+
+def _let_have(work: Work, finder: Finder, order: Order, head: str, phrase: NounPhrase) -> None:
+    """Let a thing have so many of others at it, and no more, each where that is said."""
+    finder.scene, finder.recent, finder.about = work.scene, [head], ""
+    it = Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head)
+    so_many = dataclasses.replace(phrase, places=[Where("at", it, text="at")])
+    ensure(work, finder, Order("ensure", order.text, things=[so_many], total=True))
+    mates = held(dataclasses.replace(finder, scene=work.scene), so_many)
+    if not phrase.places or not mates:
+        return
+    if len(mates) > 1:
+        mates = mates[: phrase.noun.count] if phrase.noun.count else mates
+    finder.scene = work.before = work.scene
+    known = [NounPhrase(dataclasses.replace(phrase.noun, det="the", count=None, id=id), id=id) for id in mates]
+    places = [dataclasses.replace(w, whole=it if w.whole is not None else None) for w in phrase.places]
+    slots = [slot for where in places for slot in slots_of(where, work.scene[mates[0]].category, finder)]
+    for one, slot in zip(known, slots, strict=False):
+        goals = [related(slot, work.scene[one.id].category)]
+        finder.scene = work.scene
+        move_one(work, order, one.id, goals)
+    finder.recent = [head]
 
 
 def _sides_with_some(finder: Finder, phrase: NounPhrase) -> dict[Bound, str]:
@@ -114,9 +170,9 @@ def change_of(phrase: NounPhrase) -> str:
 def held(finder: Finder, phrase: NounPhrase) -> list[str]:
     """What a phrase fits and is where it says."""
     found = finder.matching(phrase.noun)
-    for where in phrase.places if found else ():
-        there = bound(where, found[0].category, finder)
-        found = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+    for where in phrase.places:
+        there = bound(where, found[0].category, finder) if found else None
+        found = [p for p in found if there and p.id not in there.anchors and there.holds(finder.scene, p.id)]
     return [p.id for p in found]
 
 

@@ -79,6 +79,8 @@ class Finder:
         Raises:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
+        if phrase.noun.kind == "abstract":
+            raise InputError(f"'{phrase.noun.text}' is not understood; say it by things that are in the room")
         ids = self._ids(phrase, picks, among)
         self.named += ids if phrase.noun.det != "other" else ()
         return ids
@@ -273,7 +275,8 @@ class Finder:
         joined = [p for p in joined if not facts_of(p.category).is_in("small")]
         joined = joined or [p for p in self.scene.placements if _is_holder_of(p.category, word)]
         says = f"'{noun.text}' is taken to be {_ids(joined)}"
-        self.seen += [says] if joined and says not in self.seen else []
+        told = len(joined) == 1 or noun.many or noun.det in ("all", "both", "each")
+        self.seen += [says] if joined and told and says not in self.seen else []
         return joined
 
     def nothing(self, text: str) -> InputError:
@@ -485,8 +488,13 @@ def _company(scene: Scene, found: list[Placement]) -> Placement | None:
     large = [
         p for p in scene.placements if p.id not in ids and scene.asset_of(p).front == "one" and p.support == "floor"
     ]
+    stood = _stood_at(scene, found)
     for other in sorted(large, key=lambda p: -p.size[0] * p.size[1]):
         mark = things(scene, other.id)[0]
+        if stood is not None and not measure(scene, "against_wall", other.id, (stood.name,)).holds:
+            continue
+        if math.prod(other.size) < max(math.prod(p.size) for p in found):
+            continue
         if all(ground_gap(things(scene, p.id)[0], mark) < 0.6 for p in found):
             return other
     return None

@@ -8,6 +8,7 @@ from typing import Literal, Protocol
 from shapely import LineString, Point, Polygon, unary_union
 from shapely.ops import nearest_points
 
+from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import bearing, ground_gap
@@ -39,6 +40,8 @@ BY_SMALL = 0.15
 """How far from a small thing another one on the same top is at most that is next to it [m]."""
 OFF_BETWEEN = 0.1
 """How far out of the space between two things the middle of something between them is at most [m]."""
+SEAT_DEPTH, SEAT_WIDTH, SEAT_HEIGHT = 0.75, 0.6, 1.2
+"""How much floor somebody takes who sits at a thing, and up to which height that is to be free [m]."""
 LEVEL = 0.2
 """How far before or behind a thing something stands at most that is beside it [m]."""
 HEAD = 0.25
@@ -270,6 +273,17 @@ class Abreast(Related):
 
 
 @dataclass(frozen=True)
+class Across(Related):
+    """It stands opposite a thing: turned to it, and before the middle of it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both, and how far it is beside the line ahead of that thing."""
+        held, says = super().check(before, after, id)
+        _, left = things(after, self.anchors[0])[0].to_local(after[id].position[:2])
+        return held and abs(left) <= BESIDE_LINE, f"{says}, {abs(left):.2f} m beside its middle"
+
+
+@dataclass(frozen=True)
 class AtHead(Related):
     """It stands beside the end of a thing that is behind, as the head of a bed is."""
 
@@ -320,6 +334,45 @@ class Untied:
     def tie(self) -> Tie | None:
         """None."""
         return None
+
+
+@dataclass(frozen=True)
+class Unhidden(Untied):
+    """A screen stands neither before nor behind another one on the same top."""
+
+    screens: tuple[str, ...]
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it stands beside each of them, less than half of both."""
+        mine = after[id]
+        there = [after[name] for name in self.screens if name in after and after[name].support == mine.support]
+        for other in there:
+            turn = math.radians(mine.yaw - other.yaw)
+            wide = abs(math.cos(turn)) * mine.size[1] + abs(math.sin(turn)) * mine.size[0]
+            lacking = (wide + other.size[1]) / 2 - abs(other.to_local(mine.position[:2])[1])
+            if lacking > LEAST:
+                return False, f"{id} hides {lacking:.2f} m of {other.id}, or is hidden by it"
+            if (off := turn_between(mine.yaw, other.yaw)) > INTO_ROOM:
+                return False, f"{id} is turned {off:.0f} degrees otherwise than {other.id}"
+        return True, f"{id} beside {', '.join(p.id for p in there) or 'no other screen'}"
+
+
+@dataclass(frozen=True)
+class SeatRoom(Untied):
+    """Somebody can sit before it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How much floor of the room is free before its middle, of seats and what lies flat aside [m]."""
+        mine, half = after[id], after[id].size[0] / 2
+        solid = [p for p in after.placements if after.asset_of(p).collides and p.position[2] < SEAT_HEIGHT]
+        solid = [p for p in solid if p.id != id and not facts_of(p.category).is_in("seating") and p.support == "floor"]
+        near, far, aside = half, half + SEAT_DEPTH, SEAT_WIDTH / 2
+        ends = [mine.to_room(end) for end in ((near, -aside), (far, -aside), (far, aside), (near, aside))]
+        strip = Polygon(ends)
+        taken = float(strip.difference(after.room.polygon).area)
+        taken += sum(float(p.footprint.intersection(strip).area) for p in solid)
+        free = SEAT_DEPTH - taken / SEAT_WIDTH
+        return free >= SEAT_DEPTH - EXACT, f"{free:.2f} m to sit before {id}"
 
 
 @dataclass(frozen=True)
@@ -575,6 +628,6 @@ def overruled(goal: Goal, later: Iterable[Goal]) -> bool:
 
 
 def _is_turn(goal: Goal) -> bool:
-    return isinstance(goal, Turned | IntoRoom | ToWall | BackTo) or (
+    return isinstance(goal, Turned | IntoRoom | ToWall | BackTo | SeatRoom) or (
         isinstance(goal, Related) and goal.kind in ("facing", "opposite")
     )

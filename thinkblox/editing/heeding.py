@@ -10,6 +10,7 @@ _SHIFTED = (
     "centred",
     "backs",
     "abreast",
+    "touching",
     "company",
     "mutual",
     "together",
@@ -34,7 +35,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
     "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction", "bears"),
-    "free": ("things", "places", "free", "space", "room", "rest", "spared", "away"),
+    "free": ("things", "places", "free", "space", "room", "rest", "spared", "away", "lengths"),
     "clear": ("things", "places", "room", "rest", "spared", "away"),
     "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
     "only": ("things", "places", "total", "spared"),
@@ -42,7 +43,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "gap": ("things", "places", "lengths", "change", "space", "room"),
 }  # fmt: skip
 """What each kind of order does something about, as fields of an Order."""
-_WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite", "spread")
+_WHOLE = ("clear", "rearrange", "gap", "free", "make", "only", "replace", "swap", "resite", "spread")
 """Orders that are not begun where a word of them means nothing."""
 SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
@@ -55,8 +56,15 @@ SAID = {
     "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
     "backs": "what its back is to", "bears": "what is to be on it", "abreast": "side by side",
+    "touching": "without a gap",
 }  # fmt: skip
 """What a field says, in words."""
+
+
+def _takes_any(order: Order) -> bool:
+    """Whether words that are not understood may say which are taken away: "the chairs that don't fit"."""
+    told = (phrase.noun.many or phrase.noun.kind == "pronoun" for phrase in order.things)
+    return order.doing == "remove" and any(told)
 
 
 def check_heeded(order: Order) -> None:
@@ -69,10 +77,10 @@ def check_heeded(order: Order) -> None:
     over = [words for field, words in SAID.items() if getattr(order, field) and field not in heeded]
     if order.turn == 0.0:
         over.append("an angle of 0 degrees")
-    if order.lost and (order.doing in _WHOLE or order.rest):
+    if order.lost and (order.doing in _WHOLE or order.rest or _takes_any(order)):
         raise InputError(f"'{order.text}': '{', '.join(order.lost)}' is not understood, so that nothing was done")
     if over:
         raise InputError(
-            f"'{order.text}' also says {', '.join(over)}, which means nothing with '{order.doing}'; say it as an order"
+            f"'{order.text}' also says {', '.join(over)}, which is not followed together with it; say it as an order"
             " of its own"
         )

@@ -27,6 +27,7 @@ from thinkblox.editing.goals import (
     ELSEWHERE_SMALL,
     EXACT,
     Abreast,
+    Across,
     Along,
     Apart,
     At,
@@ -63,7 +64,18 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of, told_by
+from thinkblox.editing.wheres import (
+    Bound,
+    anchored,
+    bound,
+    by_distance,
+    named,
+    slots_for,
+    slots_of,
+    spare,
+    spot_of,
+    told_by,
+)
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -105,6 +117,8 @@ SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
 _LOOKS = ("facing", "opposite")
+_PUSHED = ("push", "shove")
+"""Verbs by which things come together without a gap, where that can be."""
 _FAR_OFF = ("to the front", "to the back")
 """What is no step, but the other end of the room, which nothing says of which."""
 _TO_FRONT = ("forward", "back")
@@ -122,6 +136,8 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
+    if order.touching:
+        raise InputError(f"'{order.text}': without a gap to what? Say 'against the bed', or 'side by side'")
     if order.besides:
         raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")
     seen: set[tuple[str, str]] = set()
@@ -254,8 +270,16 @@ def _line_up(work: Work, finder: Finder, order: Order, where: Where) -> None:
     """Let all that is named stand at one wall: at the longest at which it can."""
     said, saved, before, noun = (len(work.done), len(work.failed)), work.saved(), work.scene, where.noun
     failed: list[str] = []
-    for wall in sorted(work.scene.room.walls, key=lambda wall: -wall.length):
-        where.noun = dataclasses.replace(noun, value=wall.name) if noun is not None else None
+    lined = [p.position[:2] for phrase in order.things for p in finder.matching(phrase.noun)]
+    walls_ = sorted(
+        work.scene.room.walls,
+        key=lambda wall: (-round(wall.length, 1), sum(wall.coordinates(spot)[1] for spot in lined)),
+    )
+    if noun is not None and noun.degree:
+        named_ = bound(where, "", finder).anchors
+        walls_ = [wall for wall in walls_ if wall.name in named_]
+    for wall in walls_:
+        where.noun = dataclasses.replace(noun, value=wall.name, degree="") if noun is not None else None
         plain = dataclasses.replace(order, text=wall.name)
         move(work, finder, plain)
         if len(work.failed) == said[1]:
@@ -417,6 +441,9 @@ def _split(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
+    told = [w for w in rest if not w.negated and by_distance(w)]
+    if told and phrase.noun.definite and (len(told) < len(rest) or order.mutual or order.together):
+        here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
     if order.closer or order.direction or order.seated or apart or order.doing == "resite":
         return [*here, *rest], []
@@ -701,7 +728,9 @@ def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[
 
 def _onto_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, moved aside onto the line through the middle of a thing."""
-    for goal in (g for g in goals if isinstance(g, MidOf)):
+    for goal in [MidOf(g.anchors[0]) if isinstance(g, Across) else g for g in goals]:
+        if not isinstance(goal, MidOf):
+            continue
         mark = things(scene, goal.anchor)[0]
         ahead, left = mark.to_local(before.position[:2])
         off, way = (ahead, mark.yaw) if goal.across else (left, mark.yaw + 90.0)
@@ -819,7 +848,14 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         there = _also(work, finder, order, id) if also and not _cornered(also) else looks
-        move_one(work, order, id, [goal, *there])
+        close = Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")
+        pushed = beside and order.text.lower().split(" ", 1)[0] in _PUSHED
+        saved, said = work.saved(), len(work.failed)
+        move_one(work, order, id, [goal, *([close] if order.touching or pushed else []), *there])
+        if len(work.failed) > said and pushed and not order.touching:
+            work.restore(saved)
+            del work.failed[said:]
+            move_one(work, order, id, [goal, *there])
         placed.append(id)
     finder.recent = ids
 

@@ -16,6 +16,8 @@ INSTEAD = "instead of"
 """The words of a place at which something is not to be: it may also be what makes room there."""
 BEARS, BORE = "that carries", "that carried"
 """The words of a place by which a thing is told by what rests on it, or rested on it before."""
+AWAY_SIDE = "on the side away from"
+"""The words of a place at that side of a thing which is farthest from another."""
 SAME = "same"
 """The degree of a new thing that is as large as what it comes in place of."""
 
@@ -95,6 +97,7 @@ class Order:
         centred: at the middle of where they go.
         leaves: they leave the part of the room that they are in.
         abreast: beside each other, turned the same way.
+        touching: they are to have no gap between them.
         bears: what is to be on it then.
         purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
@@ -140,6 +143,7 @@ class Order:
     centred: bool = False
     leaves: bool = False
     abreast: bool = False
+    touching: bool = False
     bears: list[NounPhrase] = field(default_factory=list)
     purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)

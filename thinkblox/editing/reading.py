@@ -1,21 +1,22 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import cast
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses, without_announcements, without_reasons
 from thinkblox.editing.corrections import corrected
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.ellipsis import each_order
+from thinkblox.editing.ellipsis import each_order, stand_between
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
-from thinkblox.editing.orders import BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.orders import AWAY_SIDE, BEARS, BORE, INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
 from thinkblox.editing.rewording import (
     in_between,
     reworded,
@@ -41,6 +42,7 @@ from thinkblox.reading.tokens import Token, tokenise
 MAX_INSTRUCTION = 2000
 """Longest instruction that is read [characters]."""
 _ID = re.compile(r"\b[A-Za-z][A-Za-z0-9_.-]*_[0-9]+\b")
+_DASH = re.compile(r" [-–—] ")
 _OF_ROOM = ("make", "rearrange", "free", "keep", "only")
 _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "make", "keep", "only")
 """Orders whose things are in the room already."""
@@ -61,7 +63,7 @@ _OF_LOOKS = ("make", "replace", "add", "put", "ensure")
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
-_OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
+_OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done", "obtained")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
 _AT_BACK = (*_ASIDE, "on", "against", "under")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
@@ -99,7 +101,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     """
     _check(text)
     lexicon = load("en")
-    plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
+    plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [_corrected(lexicon, token) for token in lexicon.tokens(plain)])
     said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
     tokens = without_reasons(lexicon, without_announcements(_without_commas(_included(in_between(said)))))
@@ -123,10 +125,28 @@ def _orders(
     def read(clause: Clause) -> Order:
         return _OrderReader(lexicon, clause, named, kinds).read()
 
-    orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
-    for order in orders:
+    parts = clauses(tokens, named, unknown)
+    orders = [order for clause in parts for order in _each(clause, read, [other.text for other in parts])]
+    for number, order in enumerate(orders):
+        if order.lost == ["in between"] and order.doing in ("add", "put"):
+            stand_between(orders[number - 1] if number else None, order)
         unknown += order.lost
     return orders, unknown
+
+
+def _each(clause: Clause, read: Callable[[Clause], Order], texts: Sequence[str]) -> list[Order]:
+    """The orders of one of several clauses.
+
+    Raises:
+        InputError: one cannot be read, so that the others are not done either, which it says.
+    """
+    try:
+        return list(each_order(clause, read))
+    except InputError as error:
+        others = ", ".join(f"'{text}'" for text in dict.fromkeys(texts) if text != clause.text)
+        if not others or type(error) is not InputError:
+            raise
+        raise InputError(f"{error}; nothing was done, {others} neither") from error
 
 
 def _check(text: object) -> None:
@@ -445,7 +465,10 @@ class _OrderReader:
             order.change = "wider" if more else order.change
             compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
             order.by |= compared and bool(order.lengths) and not order.bound
-        if order.doing == "put" and order.space and order.places and not order.things:
+        measured = order.doing in ("keep", "free", "make") and order.space and order.places and not order.things
+        if measured and len(order.apart) == 1:
+            order.lengths, order.apart = [(order.apart[0][0], "")], []
+        if (order.doing == "put" or measured) and order.space and order.places and not order.things:
             order.doing = "free"
 
     def _is_had_by_each(self) -> bool:
@@ -655,12 +678,15 @@ class _OrderReader:
             or self._is_apposition(noun)
             or self._told_by_rider(noun)
             or self._is_each_of_new(noun)
+            or self._is_one_of_company(noun)
         ):
             return
         noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
         phrase = self._phrase(noun)
-        if negated and order.things and self._mode == "things":
+        if negated and order.doing == "turn" and order.facing and order.things:
+            self._not_faced(noun)
+        elif negated and order.things and self._mode == "things":
             order.things[-1].spared.append(phrase)
             self._excepted = phrase
         elif negated:
@@ -825,8 +851,8 @@ class _OrderReader:
         everything = noun.kind == "abstract" and noun.text.lower() == "anything" and order.doing == "keep"
         if everything or (noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL):
             order.rest = True
-        elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
-            order.company.append(phrase)
+        elif (order.things and _is_theirs(noun) and order.doing in _WITH_ALONG) or self._is_theirs_too(noun):
+            order.company.append(replace(phrase, noun=self._theirs(noun)))
         elif self._is_within(noun):
             order.apart.append((order.lengths.pop()[0], phrase))
             self._distance, self._anchors = False, [noun]
@@ -846,6 +872,20 @@ class _OrderReader:
         else:
             self._lose(noun)
 
+    def _theirs(self, noun: Noun) -> Noun:
+        """What goes along as that of what was named before, also where its "its" is said of another: "its vase"."""
+        if _is_theirs(noun) or not self.order.company:
+            return noun
+        return replace(noun, det="my", text=f"{self.order.company[-1].noun.text.split()[0]} {noun.text}")
+
+    def _is_theirs_too(self, noun: Noun) -> bool:
+        """Whether a bare noun belongs to what was named before as well: "(with its chairs and) vase"."""
+        before = self._items[self._at - 2] if self._at > 1 else None
+        joined = isinstance(before, Connector) and before.text.lower() == "and"
+        bare = noun.kind == "thing" and not (noun.det or noun.count or noun.id)
+        theirs = bool(self.order.company) and _is_theirs(self.order.company[-1].noun)
+        return joined and bare and theirs and self.order.doing in (*_WITH_ALONG, "remove")
+
     def _is_each_of_new(self, noun: Noun) -> bool:
         """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
         new = self.order.doing in ("add", "put", "ensure") and bool(self.order.things)
@@ -854,6 +894,17 @@ class _OrderReader:
         said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
         self._eached |= said
         return said
+
+    def _is_one_of_company(self, noun: Noun) -> bool:
+        """Take where each of what goes along is to be: "(two chairs,) one on each side"; whether it was that."""
+        company = self.order.company if self.order.doing in ("add", "put", "ensure") else []
+        one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
+        if not (company and one and (company[-1].noun.count or 0) > 1 and self._each_follows()):
+            return False
+        link = cast(Connector, self._items[self._at])
+        self._at += 1
+        company[-1].places.append(self._where(link))
+        return True
 
     def _comes_along(self, *, each: bool) -> None:
         """Read "(two desks with a chair and) a monitor each" as what comes with every one of what is added.
@@ -869,6 +920,7 @@ class _OrderReader:
         usual = all(
             any(habit.kind == "on" and kind in habit.anchors for habit in load_habits().of(p.noun.value)) for p in later
         )
+        usual |= facts_of(kind).is_in("seating") and all(facts_of(p.noun.value).is_in("small") for p in later)
         if later and new and (each or usual):
             things[head].places += [Where("with", p.noun, text="with") for p in later]
             del things[head + 1 :]
@@ -1010,6 +1062,8 @@ class _OrderReader:
 
     def _compared(self, phrase: NounPhrase) -> None:
         """Read what a thing comes nearer to; "opposite the piano and 2 m away from it" is how far it is to be."""
+        if self._is_side_towards(phrase.noun):
+            return
         order, again = self.order, bool(self._anchors) and _is_it(phrase.noun)
         if again:
             phrase = NounPhrase(self._anchors[-1])
@@ -1021,6 +1075,18 @@ class _OrderReader:
         else:
             order.closer.append((bool(self._pending), phrase))
         self._pending = None
+
+    def _is_side_towards(self, noun: Noun) -> bool:
+        """Take "(next to the fridge,) on the side away from the stove" as one of its sides; whether it was that."""
+        places = self.order.things[-1].places if self.order.things else []
+        side, anchors = places[-1] if places else None, [n for n in self._anchors if n.kind == "thing"]
+        part = side is not None and side.noun is not None and side.noun.kind == "part" and side.noun.value == "side"
+        if not part or side is None or side.whole is not None or not anchors or noun.kind not in ("thing", "place"):
+            return False
+        side.whole, side.second = anchors[-1], noun
+        side.text = "on the side towards" if self._pending else AWAY_SIDE
+        self._pending = None
+        return True
 
     def _is_address(self, noun: Noun) -> bool:
         """Whether a noun speaks to somebody: "please, my dear"; one that nobody knows after a comma is lost alone."""
@@ -1096,7 +1162,7 @@ class _OrderReader:
             return isinstance(noun, Noun) and noun.kind == "thing"
         every = said is not None and (said.det in ("all", "each") or said.plural)
         counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
-        return every and counted and self._mode == "things"
+        return every and counted and self._mode in ("things", "instead")
 
     def _mutual(self, link: Connector) -> None:
         """Read "so that they face each other", "next to each other", or not so."""
@@ -1138,8 +1204,12 @@ class _OrderReader:
         return free
 
     def _face(self) -> None:
-        """Read "to face the room", "so that it faces the door"."""
+        """Read "to face the room", "so that it faces the door", "(the wardrobe,) not at the bed"."""
         following = self._items[self._at] if self._at < len(self._items) else None
+        if self._negated and self.order.facing and isinstance(following, Noun):
+            self._at += 1
+            self._not_faced(following)
+            return
         if isinstance(following, OrderMark) and following.key == "farther":
             return
         if self._faces_by_compass(following):
@@ -1152,6 +1222,12 @@ class _OrderReader:
         else:
             self.order.facing.append(self._sided(self._merged(noun)))
             self._anchors = self.order.facing[-1:]
+
+    def _not_faced(self, noun: Noun) -> None:
+        """Take "(so that it faces the wardrobe,) not the bed" as what it is not to face."""
+        self._negated = False
+        for phrase in self.order.things:
+            phrase.places.append(Where("facing", self._merged(noun), negated=True, text="not facing"))
 
     def _sided(self, noun: Noun) -> Noun:
         """Take "(towards) the chair on the right" as the right one."""
@@ -1238,6 +1314,9 @@ class _OrderReader:
         """Whether words say what for: "make room for a wheelchair", "a chair for the teacher"."""
         if link.value != "for":
             return False
+        if following.text.lower().startswith(("a group of ", "a party of ")):
+            self.order.purpose.append(following)
+            return True
         if following.kind == "people":
             self.order.lost.append(f"{link.text} {following.text}")
         elif self.order.doing in ("free", "gap"):
@@ -1280,7 +1359,8 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
-        if self._is_on_new(where) or self._is_on_what_bears(where) or self._is_like_those(where):
+        said = (self._is_on_new(where), self._is_on_what_bears(where), self._is_like_those(where))
+        if any(said) or self._is_without_gap(where):
             return
         order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
@@ -1315,6 +1395,12 @@ class _OrderReader:
         """Whether a new thing is to be "like the others", as it is anyway."""
         other = where.noun is not None and where.noun.det == "other"
         return where.word == "as" and other and self.order.doing == "add"
+
+    def _is_without_gap(self, where: Where) -> bool:
+        """Take "(side by side) without a gap"; whether it was that."""
+        gap = where.noun is not None and means("distances", where.noun.word) == "gap"
+        self.order.touching |= where.word == "without" and gap
+        return where.word == "without" and gap
 
     def _narrowed(self) -> None:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
@@ -1551,6 +1637,7 @@ class _OrderReader:
         things = self.order.things
         alone = where.noun is not None and _is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
         told = self.order.rest if self.order.doing == "keep" else self.order.doing in _ON_KNOWN
+        alone &= self._mode != "instead"
         return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
     def _of_result(self, where: Where) -> None:

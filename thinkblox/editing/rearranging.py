@@ -14,7 +14,7 @@ from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.removing import left_over
 from thinkblox.editing.wheres import bound, corner_near, named, spare
 from thinkblox.editing.work import Work
-from thinkblox.editing.zones import PlaceZone, Zone, place_named, zone_of
+from thinkblox.editing.zones import PlaceZone, Zone, place_named, zones_of
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.knowledge.rooms import Usual, room_types
@@ -103,7 +103,7 @@ def free(work: Work, finder: Finder, order: Order) -> None:
     """
     places = [place_named(noun) for noun in order.free]
     zones: list[Zone] = [PlaceZone(place) for place in places]
-    zones += [zone_of(work.scene, finder, where) for where in order.places]
+    zones += [zone for where in order.places for zone in zones_of(work.scene, finder, where, _depth(order))]
     if not zones:
         raise InputError(f"'{order.text}' does not say which part of the room is to be free")
     for zone in zones:
@@ -111,6 +111,17 @@ def free(work: Work, finder: Finder, order: Order) -> None:
             raise InputError(f"the room has no {zone.place.replace('_', ' ')} that could be kept free")
     with _sparing(work, finder, order):
         vacate(work, zones)
+
+
+def _depth(order: Order) -> float | None:
+    """How far what is to be free reaches [m]; None where that is not said.
+
+    Raises:
+        InputError: several lengths are said, or of what has its own size.
+    """
+    if len(order.lengths) > 1 or (order.lengths and (order.free or not order.places)):
+        raise InputError(f"'{order.text}': how far is followed of the space before a window or a thing alone")
+    return order.lengths[0][0] if order.lengths else None
 
 
 def vacate(work: Work, zones: Sequence[Zone]) -> None:

@@ -99,6 +99,8 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
             continue
         if not named and change not in ("larger", "smaller"):
             raise InputError(f"it is not said which side of it is to be {metres:g} m; say 'wide', 'long' or 'high'")
+        if named == "width" and old.front != "one" and not even and not (absolute and metres > max(deep, wide)):
+            named = "width" if long == "depth" else "depth"
         for side in (long if named == "length" else named,) if named else ("depth", "width"):
             sides[side] = _changed(
                 sides[side], metres, change, absolute=absolute or not change, order=order, factor=factor

@@ -228,7 +228,7 @@ def _cleared(work: Work, finder: Finder, phrase: NounPhrase) -> tuple[tuple[str,
         s for s in phrase.spared if s.noun.kind != "thing" or {p.id for p in finder.matching(s.noun)} & {*alike}
     ]
     resting = [s for s in phrase.spared if s not in of_these]
-    left = spare(finder, riders, resting)
+    left = spare(finder, riders, resting) if riders else ()
     return spare(finder, ids, of_these, phrase.noun), tuple(id for id in riders if id not in left)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add_one, add_with, category_of, of_size
+from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
@@ -70,7 +70,9 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
 def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
     """Add what comes in place of things besides what stands where they stood: of two for one the second."""
     by, first = ids[0] if ids else "", order.instead[0].noun
-    for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
+    looks = [w for phrase in order.instead[1:] for w in phrase.places if w.word == "facing" and not w.negated]
+    between = [p for p in order.instead[1:] if p.noun.kind == "thing" and any(w not in looks for w in p.places)]
+    for noun in [first] * (count - len(ids)) + [p.noun for p in order.instead[1:] if p not in between]:
         for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
                 there: list[Goal] = [At(finder.vacated.position[:2], NEW_PLACE)] if finder.vacated is not None else []
@@ -80,6 +82,50 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
                 add_with(work, finder, order, [by], [Where("with", noun, text="with")])
             elif work.scene[by].asset != before[by].asset:
                 _add_another(work, by, noun, beside=order.abreast)
+    came = [id for id in ids[:count] if id in work.scene] + [p.id for p in work.scene.placements if p.id not in before]
+    if by and work.scene[by].asset != before[by].asset:
+        _put_others(work, finder, order, came, [id for id in came if id not in ids], looks)
+        for phrase in between:
+            where = [w for w in phrase.places if w not in looks]
+            _bring_to(work, finder, order, came, replace_fields(phrase, places=where))
+    elif between or looks:
+        work.failed += [f"{phrase.text} was not added: nothing came in place of {', '.join(ids)}" for phrase in between]
+
+
+def _put_others(
+    work: Work, finder: Finder, order: Order, came: Sequence[str], added: Sequence[str], looks: Sequence[Where]
+) -> None:
+    """Bring what has come besides to where all are to stand, and let all face what they are to."""
+    first = order.instead[0]
+    for id in came if looks else added:
+        category = work.scene[id].category
+        finder.scene, finder.about = work.scene, id
+        places = [*(first.places if id in added else ()), *looks]
+        goals = [related(bound(where, category, finder), category) for where in places]
+        if goals and not all(goal.check(work.scene, work.scene, id)[0] for goal in goals):
+            work.before = work.scene
+            move_one(work, order, id, goals)
+
+
+def _bring_to(work: Work, finder: Finder, order: Order, came: Sequence[str], phrase: NounPhrase) -> None:
+    """Add what is to stand somewhere to what has come: "a coffee table between them"."""
+    there, said = {p.id for p in work.scene.placements}, len(work.failed)
+    finder.scene = work.before = work.scene
+    if not any(where.word == "between" for where in phrase.places):
+        alike = [id for id in came if work.scene[id].category == work.scene[came[0]].category]
+        one = any(w.noun is not None and w.noun.kind == "pronoun" and w.noun.value == "it" for w in phrase.places)
+        finder.recent, finder.about = alike[:1] if one else alike, ""
+        add(work, finder, Order("add", order.text, things=[phrase]))
+        return
+    category = category_of(work, phrase.noun, ())
+    near: list[Goal] = [Related("near", (came[0],))]
+    id = add_one(work, category, phrase.noun, near) if came[0] in work.scene else ""
+    if not id or len(work.failed) > said or id in there:
+        return
+    finder.scene, finder.recent, finder.about = work.scene, list(came), ""
+    goals = [related(bound(where, category, finder), category) for where in phrase.places]
+    finder.about = id
+    move_one(work, order, id, goals)
 
 
 def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
@@ -95,7 +141,8 @@ def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
         tries += [[near, walled], [walled]] if walls else [[near]]
     for goals in tries:
         del work.failed[said:]
-        if add_one(work, category, new, goals, asset=asset):
+        if id := add_one(work, category, new, goals, asset=asset):
+            work.wishes = [wish for wish in work.wishes if beside or wish.id != id]
             return
 
 

@@ -9,7 +9,19 @@ from shapely import Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import BEFORE_SEAT, TOUCHES, Abreast, AtHead, BySmall, Goal, Laid, MidOf, OnWall, Related
+from thinkblox.editing.goals import (
+    BEFORE_SEAT,
+    TOUCHES,
+    Abreast,
+    Across,
+    AtHead,
+    BySmall,
+    Goal,
+    Laid,
+    MidOf,
+    OnWall,
+    Related,
+)
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
@@ -59,6 +71,8 @@ def spots(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
 def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Poses at what the goals name, free ones first, then the first of all, which says what is in the way."""
     for goal in goals:
+        if isinstance(goal, Across) and asset.mount == "floor":
+            yield from free(scene, asset, list(_on_line(scene, MidOf(goal.anchors[0]))))
         if isinstance(goal, MidOf) and asset.mount == "floor":
             yield from free(scene, asset, list(_on_line(scene, goal)))
         if not isinstance(goal, Related) or goal.negated or not goal.anchors:

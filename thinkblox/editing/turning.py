@@ -11,7 +11,7 @@ from thinkblox.assets import facts_of
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, Straight, Turned
+from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, SeatRoom, Straight, Turned
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import without
@@ -65,6 +65,8 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
                 continue
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
+            if order.backs and work.asset_of(id).gaze == "back":
+                looks.append(SeatRoom())
             if looks:
                 with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks, aimed=aimed))  # type: ignore[misc]
             elif order.mutual != "facing":
@@ -211,9 +213,19 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
         work.wish(id, goals)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
-    failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
+    poses = list(turns(work.scene, before, goals))
+    if any(isinstance(goal, SeatRoom) for goal in goals):
+        poses += list(free(without(work.scene, [id]), work.asset_of(id), _pulled_out(work.scene, before, poses)))
+    failed = reach_goals(work, id, [*goals, there], direct=iter(poses))
     say(work, id, before, failed, goals)
     _say_moved(work, before)
+
+
+def _pulled_out(scene: Scene, before: Placement, poses: Sequence[Pose]) -> list[Pose]:
+    """The same turns further out from the wall that a thing is nearest to, as somebody is to sit between."""
+    wall = min(scene.room.walls, key=lambda wall: wall.coordinates(before.position[:2])[1])
+    (x, y, z), (dx, dy) = before.position, wall.inward
+    return [((round(x + s * dx, 4), round(y + s * dy, 4), z), yaw) for s in PULLED for _, yaw in poses]
 
 
 def _straight(goals: Sequence[Goal], within: float) -> list[Goal]:

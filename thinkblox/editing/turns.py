@@ -31,7 +31,29 @@ def in_turn(orders: Sequence[Order], finder: Finder) -> list[Order]:
         else:
             left.remove(order)
             left.insert(left.index(other) + 1, order)
+    return _turned_first(left, finder)
+
+
+def _turned_first(orders: list[Order], finder: Finder) -> list[Order]:
+    """The orders, where what comes nearer to a thing does so after that is turned, as turning may move it."""
+    left = list(orders)
+    for order in orders:
+        near = {id for nearer, phrase in order.closer if nearer for id in _known(phrase, finder)}
+        later = [o for o in left[left.index(order) + 1 :] if o.doing == "turn" and near & _turners(o, finder)]
+        if order.doing == "move" and near and later:
+            left.remove(order)
+            left.insert(left.index(later[-1]) + 1, order)
     return left
+
+
+def _turners(order: Order, finder: Finder) -> set[str]:
+    return {id for phrase in order.things for id in _known(phrase, finder)}
+
+
+def _known(phrase: NounPhrase, finder: Finder) -> tuple[str, ...]:
+    """The thing that a bare phrase means; none of what is told by more, or by what was named before."""
+    bare = phrase.noun.kind == "thing" and phrase.noun.definite and not phrase.places
+    return _ids(phrase, finder) if bare else ()
 
 
 def _spots(order: Order, finder: Finder) -> set[str]:

@@ -13,7 +13,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
-from thinkblox.editing.orders import BEARS, BORE, NounPhrase
+from thinkblox.editing.orders import AWAY_SIDE, BEARS, BORE, NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -108,7 +108,7 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
-        told = bool(_by_what(where)) or where.text in (BEARS, BORE)
+        told = bool(by_distance(where)) or where.text in (BEARS, BORE)
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
             continue
@@ -348,7 +348,7 @@ def _thing_of(noun: Noun, finder: Finder) -> Noun:
 def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | None:
     """To the left of the sofa, at the foot of the bed, in the middle of the table or of the room."""
     whole = where.whole or (Noun("thing", noun.owner, 0, 0, noun.owner) if noun.owner else None)
-    if whole is None and noun.det == "my" and noun.text.lower().split()[:1] == ["its"]:
+    if whole is None and noun.det == "my":
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
@@ -365,6 +365,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
+    if where.second is not None and len(anchors) == 1:
+        return Bound(_side_towards(finder, where, where.second, anchors[0]), anchors, where.negated)
     if noun.value in ("side", "end") and noun.det == "other":
         side = _other_side(finder, where, anchors[0], category)
         drawn = facts_of(category).is_in("seating") and load_habits().is_in(
@@ -386,6 +388,26 @@ def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
     if found is None or where.negated:
         raise InputError(f"'{_text(where)}' is no place that a thing can be put")
     return dataclasses.replace(found, middle=True)
+
+
+def _side_towards(finder: Finder, where: Where, mark: Noun, anchor: str) -> RelationKind:
+    """The side of a thing that is nearest to another, or farthest from it; of what stands at a wall its left or right.
+
+    Raises:
+        InputError: the other is not there, or could be several.
+    """
+    scene, thing = finder.scene, finder.scene[anchor]
+    names = (opening_named(scene, mark),) if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))
+    marks = [mark for name in names for mark in things(scene, name)]
+    if not marks:
+        raise InputError(f"the room has no {mark.text}")
+    nearest = min(marks, key=lambda m: math.dist(m.centre, thing.position[:2]))
+    ahead, left = thing.to_local(nearest.centre)
+    sign = -1.0 if where.text == AWAY_SIDE else 1.0
+    walled = measure(scene, "against_wall", anchor, ("wall",)).holds
+    if walled or abs(left) >= abs(ahead):
+        return "left_of" if sign * left > 0 else "right_of"
+    return "in_front_of" if sign * ahead > 0 else "behind"
 
 
 def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> RelationKind:
@@ -949,15 +971,15 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
-    by_distance = any(_by_what(where) for where in said)
-    found = finder.matching(phrase.noun, wide=by_distance)
+    wide = any(by_distance(where) for where in said)
+    found = finder.matching(phrase.noun, wide=wide)
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
             continue
-        if superlative := _by_what(where):
+        if superlative := by_distance(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
             continue
         if fitting := _by_any(finder, phrase, where, found):
@@ -1070,7 +1092,7 @@ def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Pl
     return held if len(held) == wanted else []
 
 
-def _by_what(where: Where) -> str:
+def by_distance(where: Where) -> str:
     """Whether it says which of several by their distance: "nearest" or "farthest"; empty where it does not."""
     words = where.text.lower().split()
     return next((found for word in words if (found := means("nearest", word) or means("nearer_of_two", word))), "")

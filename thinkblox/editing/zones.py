@@ -10,7 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Free, Goal, OutOf
 from thinkblox.editing.orders import NounPhrase
-from thinkblox.editing.wheres import bound
+from thinkblox.editing.wheres import bound, opening_named
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -83,6 +83,7 @@ class Area:
     def takers(self, scene: Scene) -> list[str]:
         """What takes any of it."""
         solid = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < HEAD_HEIGHT]
+        solid = [p for p in solid if self.besides or scene.asset_of(p).mount != "wall"]
         found = [p.id for p in solid if p.footprint.intersection(self.outline).area > TAKEN]
         there = [id for id in self.besides if id in scene]
         mine = {*there, *(rider.id for id in there for rider in scene.riders(id))}
@@ -99,7 +100,28 @@ def _roots(scene: Scene, found: Sequence[str]) -> list[str]:
     return list(dict.fromkeys((scene.carriers(id) or (id,))[-1] for id in found))
 
 
-def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
+def zones_of(scene: Scene, finder: Finder, where: Where, depth: float | None = None) -> list[Zone]:
+    """The stretches of floor that a place names: one before each window that is meant, of all else one.
+
+    Raises:
+        InputError: it names none.
+    """
+    noun = where.noun
+    window = noun is not None and noun.kind == "place" and noun.value == "window" and where.word in _BEFORE
+    if not window or noun is None or where.whole is not None or where.second is not None:
+        return [zone_of(scene, finder, where, depth)]
+    named = [mark.name for mark in things(scene, opening_named(scene, noun))]
+    if not named:
+        raise InputError("the room has no window")
+    zones: list[Zone] = []
+    for opening in (o for o in scene.room.openings if o.id in named):
+        wall, ends = scene.room.walls[opening.wall], (opening.offset, opening.offset + opening.width)
+        near, far = ([wall.point(end, depth) for end in ends] for depth in (0.0, depth or AROUND))
+        zones.append(Area(_in_room(scene, Polygon([*near, *far[::-1]])), f"the space before {opening.id}", frozenset()))
+    return zones
+
+
+def zone_of(scene: Scene, finder: Finder, where: Where, depth: float | None = None) -> Zone:
     """The stretch of floor that a place names: "(the space) in front of the window", "around the table".
 
     Raises:
@@ -113,6 +135,8 @@ def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
     if noun.kind in ("place", "part"):
         if where.word not in _BEFORE:
             raise InputError(f"'{where.text} {noun.text}' is no part of the room that could be kept free")
+        if depth is not None:
+            raise InputError(f"'{where.text} {noun.text}': how far is followed of windows and things alone")
         return PlaceZone(place_named(noun))
     ids = finder.ids(NounPhrase(noun))
     if len(ids) != 1:
@@ -125,9 +149,9 @@ def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
         raise InputError(f"'{where.text} {noun.text}' is no stretch of floor that could be kept free")
     name = f"the space {where.text} {thing.id}"
     if side is None:
-        ring = thing.footprint.buffer(AROUND, join_style="mitre").difference(thing.footprint)
+        ring = thing.footprint.buffer(depth or AROUND, join_style="mitre").difference(thing.footprint)
         return Area(_in_room(scene, ring), name, frozenset(ids))
-    return Area(_in_room(scene, _beside(thing, side)), name, frozenset(ids))
+    return Area(_in_room(scene, _beside(thing, side, depth or PASSAGE)), name, frozenset(ids))
 
 
 def _corner_zone(scene: Scene, finder: Finder, where: Where) -> Area:
@@ -167,11 +191,11 @@ def _corners(shape: BaseGeometry) -> list[tuple[float, float]]:
     return [(float(x), float(y)) for x, y in outline.coords]
 
 
-def _beside(thing: Placement, side: tuple[int, int]) -> Polygon:
+def _beside(thing: Placement, side: tuple[int, int], depth: float) -> Polygon:
     """The stretch before one side of a thing, as wide as that side."""
     half_x, half_y = thing.size[0] / 2, thing.size[1] / 2
     ahead, across = side
-    near, far = (half_x, half_x + PASSAGE) if ahead else (half_y, half_y + PASSAGE)
+    near, far = (half_x, half_x + depth) if ahead else (half_y, half_y + depth)
     ends = [(near, -1), (far, -1), (far, 1), (near, 1)]
     corners = [(ahead * out, half_y * end) if ahead else (half_x * end, across * out) for out, end in ends]
     return Polygon([thing.to_room(corner) for corner in corners])
