@@ -54,6 +54,7 @@ def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
         _part_off(draft)
+        _one_on_each(draft)
         _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
@@ -182,17 +183,6 @@ def pull_up(draft: Draft) -> None:
         elif bond.kind == "in_front_of" and seen:
             bond.anchors = (bond.subject,)
             draft.hand_over(bond, anchor)
-
-
-def lay_out(draft: Draft) -> None:
-    """Put one of what mostly lies on desks on each of those that it is listed with: "desks, monitors and chairs"."""
-    habits = load_habits()
-    desks = [t for t in draft.things if t.asked and t.plural and habits.is_in(t.noun, "worked_at")]
-    for thing in draft.things if len(desks) == 1 else ():
-        first = next(iter(habits.of(thing.noun)), None)
-        usual = first is not None and first.kind == "on" and desks[0].noun in first.anchors
-        if usual and thing.asked and thing.plural and thing.count is None and not draft.bonds_of(thing):
-            draft.bonds.append(Bond("on", thing, (desks[0],), each=True, asked=False))
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:

@@ -18,7 +18,6 @@ from thinkblox.reading.assumptions import (
     complete_sets,
     counted_seats,
     draw_up,
-    lay_out,
     pull_up,
     spread_along_walls,
     stock,
@@ -104,7 +103,6 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _settle_carriers(draft)
     draft.unknown += too_large(draft)
     pull_up(draft)
-    lay_out(draft)
     assume(draft, fill)
     counted = counted_seats(draft)
     uncounted = {id(t) for t in draft.things if t.count is None}
