@@ -891,3 +891,21 @@ def test_what_is_understood_is_not_doubted(prompt: str) -> None:
 def test_a_sofa_for_two_draws_no_chairs() -> None:
     brief = read_brief("A living room with a 2-seat couch next to the door.")
     assert not any("chair" in request.category for request in brief.requests if request.count > 1)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room", "things"),
+    [
+        ("Open plan living, kitchen and dining area.", "living_room", {"sofa", "fridge", "dining_table"}),
+        ("A living/dining room with a sofa, a table and six chairs.", "living_room", {"sofa", "dining_table"}),
+        ("A flat with living, sleeping and working areas.", "studio", {"sofa", "bed", "desk"}),
+        ("A combined kitchen and dining room.", "kitchen", {"fridge", "kitchen_table"}),
+        ("An office with eight desks and a sofa area.", "office", {"sofa", "desk"}),
+        ("A kitchen and dining table.", "kitchen", {"dining_table"}),
+    ],
+)
+def test_rooms_that_are_several_at_once_have_what_each_is_for(prompt: str, room: str, things: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert brief.room_type == room
+    assert things <= {request.category for request in brief.requests}
+    assert not brief.unknown

@@ -21,6 +21,7 @@ from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -70,7 +71,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = plainly(_spelt_out(lexicon.tokens(text)))
+    tokens = plainly(with_parts(_spelt_out(lexicon.tokens(text))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]

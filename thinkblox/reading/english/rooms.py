@@ -33,7 +33,7 @@ COMPASS = ("north", "south", "east", "west")
 
 _OTHER_SIZE = {"large": "small", "small": "large"}
 """What a room is that is not so."""
-_WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat")
+_WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat", "living_room", "dining_room")
 """Rooms to live in, where a kitchen is a part of what stands there."""
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
