@@ -18,9 +18,9 @@ MANY = "A room of 4 m by 4 m with 1000 chairs."
 
 @pytest.mark.slow
 def test_what_the_budget_left_out_is_absent_and_says_why() -> None:
-    begin = time.monotonic()
+    begin = time.process_time()
     result = generate_room(MANY, effort=Effort(seconds=1.0))
-    assert time.monotonic() - begin < 120.0, "whatever else the machine does"
+    assert time.process_time() - begin < 120.0, "of computing, whatever else the machine does"
     assert not result.report.complete
     placed, absent = len(result.scene.placements), result.report.absent
     chairs = [absence for absence in absent if absence.category == "chair"]
