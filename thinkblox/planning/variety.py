@@ -163,7 +163,7 @@ def _lessened(brief: Brief, rng: np.random.Generator) -> tuple[Brief, set[str]]:
 
 
 def _is_loose(brief: Brief, request: Request) -> bool:
-    """Whether nothing else stands to it, nobody sits on it at a table, and no such room must have it."""
+    """Whether such rooms usually have it, but need not, nothing else stands to it, and nobody sits on it at a table."""
     needed = any(request.key in relation.anchors for relation in brief.relations)
     shows = [r.key for r in brief.requests if r.category in varieties().shows.split(", ")]
     needed |= any(r.kind == "on" and r.subject == request.key and r.anchors[0] in shows for r in brief.relations)
@@ -171,7 +171,8 @@ def _is_loose(brief: Brief, request: Request) -> bool:
     usual = room_type(brief.room_type).usual
     first = usual[: max(1, len(usual) // _FIRST)]
     essential = _is_essential(brief, request) or any(are_alike(u.category, request.category) for u in first)
-    return not (request.asked or needed or essential)
+    common = any(u.category == request.category for u in usual)
+    return common and not (request.asked or needed or essential)
 
 
 def _is_essential(brief: Brief, request: Request) -> bool:
