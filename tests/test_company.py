@@ -102,6 +102,16 @@ def test_a_sofa_is_not_drawn_up_to_a_meeting_table():
     assert not any(relation.subject == "sofa" for relation in brief.relations)
 
 
+@pytest.mark.parametrize(("prompt", "number"), [("students", 2), ("teenagers", 2), ("friends", 2), ("people", 1)])
+def test_a_couple_shares_a_bed_and_students_do_not(prompt: str, number: int):
+    assert counts(f"A bedroom for two {prompt}")["bed"] == number
+
+
+def test_people_who_are_named_after_things_are_those_of_the_room():
+    office = counts("An office with desks and computers for five people")
+    assert (office["desk"], office["computer"], office["office_chair"]) == (5, 5, 5)
+
+
 @pytest.mark.parametrize("prompt", ["A room for two children", "A bedroom for two boys"])
 def test_a_room_for_children_is_a_childrens_room(prompt):
     assert read_brief(prompt).room_type == "kids_room"

@@ -470,8 +470,8 @@ def _is_one(noun: str, category: str) -> bool:
 
 
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for, with what belongs to each; two share a double bed."""
-    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2
+    """As many seats, desks or beds as the people the room is for, with what belongs to each; a couple shares its bed."""
+    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2 and not draft.apart
     if not draft.people or share:
         return
     habits, room = load_habits(), room_type(draft.room)
