@@ -457,6 +457,13 @@ def test_many_who_wait_sit_at_two_walls_and_not_behind_the_reception():
     assert all(desk.to_local(chair.position[:2])[0] > -desk.size[0] / 2 for chair in chairs)
 
 
+def test_a_display_case_stands_beside_the_counter() -> None:
+    room = made("A cafe with a counter, a display case and two tables")
+    (counter,), (case,) = placed(room, "counter"), placed(room, "display_case")
+    assert apart(counter, case) < 0.3
+    assert turn_between(counter.yaw, case.yaw) < 1.0
+
+
 @pytest.mark.parametrize("seed", [12, 101])
 def test_the_ladder_of_a_bunk_bed_is_to_the_room(seed: int):
     room = generate_room("A children's room with a bunk bed", seed=seed)
