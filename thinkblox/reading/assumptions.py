@@ -474,7 +474,7 @@ def _is_one(noun: str, category: str) -> bool:
 
 
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for, with what belongs to each; a couple shares its bed."""
+    """As many seats, desks or beds as the people the room is for, with what each has; a couple shares its bed."""
     share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2 and not draft.apart
     if not draft.people or share:
         return
@@ -597,7 +597,7 @@ def _set_down(draft: Draft) -> None:
 
 
 def _ring_up(draft: Draft) -> None:
-    """A cash register where one pays: on what is called a cash desk, and on the counter of a room that has one there."""
+    """A cash register where one pays: on what is called a cash desk, and on a counter where such a room has one."""
     if any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
         return
     paid_at = {a for usual in room_type(draft.room).usual if usual.category == _TILL for _, a, _ in usual.relations}
