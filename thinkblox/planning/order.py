@@ -200,7 +200,8 @@ def _is_with_anchor(member: Member, members: Members) -> bool:
     ties = [tie for tie in member.ties if any(map(is_object, tie.anchors))]
     anchors = [members.by_id[anchor].category for tie in ties for anchor in tie.anchors if anchor in members.by_id]
     kinds = {tie.kind for tie in ties}
-    if not anchors or (kinds == {"next_to"} and not facts_of(member.category).is_in("surfaces")):
+    own = facts_of(member.category)
+    if not anchors or (kinds == {"next_to"} and (own.is_in("built_in_line") or not own.is_in("surfaces", "tops"))):
         return False
     group = {"in_front_of": "built_in_line", "next_to": "served_over"}.get(next(iter(kinds)), "")
     return len(kinds) == 1 and all(facts_of(category).is_in(group) for category in anchors)
@@ -219,7 +220,8 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool) -> 
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
     weight += _NAMED_PLACE_BONUS * wall
-    weight += _COUNTER_BONUS * (stage == 0 and (with_anchor or load_habits().is_in(member.category, "served_over")))
+    case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
+    weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     late = arranged and not member.request.asked
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)
