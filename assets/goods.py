@@ -16,6 +16,8 @@ _SHARE = (0.66, 0.88)
 """Share of a shelf that goods take."""
 _TALL = (0.17, 0.33)
 """How high goods are [m]."""
+_REACHED = 0.2
+"""How far the middle of goods is behind the front edge of a deep shelf, so that they are seen and reached [m]."""
 _TINS = 0.4
 """Share of goods that are round."""
 
@@ -42,7 +44,7 @@ def _stocked(build: Build, spec: Spec, shelf: Surface) -> Surface:
 
 def _row(spec: Spec, shelf: Surface, headroom: float, end: float) -> list[Part]:
     (deep, wide), (x, y, z) = shelf.size, shelf.position
-    at = y - wide / 2 + _GAP
+    x, at = max(x, x + deep / 2 - _REACHED), y - wide / 2 + _GAP
     parts: list[Part] = []
     while True:
         tall = min(0.85 * headroom, spec.between(*_TALL))
@@ -54,6 +56,6 @@ def _row(spec: Spec, shelf: Surface, headroom: float, end: float) -> list[Part]:
             if is_tin:
                 parts.append(disc(finish, (x, at + width / 2), width / 2, (z, z + tall)))
             else:
-                across = around(x, min(deep - 2 * _GAP, 1.4 * width))
+                across = around(x, min(deep - 2 * _GAP, 2 * _REACHED - 2 * _GAP, 1.4 * width))
                 parts.append(box(finish, across, (at, at + width), (z, z + tall)))
             at += width + _GAP

@@ -59,6 +59,9 @@ def test_it_is_read_as_what_it_is(words: str, category: str) -> None:
         ("A kitchen with a table and an orange on it.", "orange", "potted_plant"),
         ("A living room with a sofa. The sofa is orange.", "sofa", "orange"),
         ("A dining room with a table and orange chairs.", "chair", "orange"),
+        ("A children's room with a small table and two chairs.", "play_table", "dining_table"),
+        ("A children's room with a bed and a small table with two chairs.", "child_chair", "chair"),
+        ("A children's room with a bed and a small table next to the bed.", "side_table", "play_table"),
     ],
 )
 def test_a_word_of_several_meanings_is_read_by_its_company(prompt: str, wanted: str, other: str) -> None:

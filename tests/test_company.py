@@ -102,6 +102,34 @@ def test_a_sofa_is_not_drawn_up_to_a_meeting_table():
     assert not any(relation.subject == "sofa" for relation in brief.relations)
 
 
+@pytest.mark.parametrize(("prompt", "number"), [("students", 2), ("teenagers", 2), ("friends", 2), ("people", 1)])
+def test_a_couple_shares_a_bed_and_students_do_not(prompt: str, number: int):
+    assert counts(f"A bedroom for two {prompt}")["bed"] == number
+
+
+@pytest.mark.parametrize(
+    ("prompt", "goods"),
+    [
+        ("A bookshop with ten bookcases along the walls, a display table in the middle and a counter", "book_stack"),
+        ("A shoe shop with two benches, a counter, a mirror on the wall and a display table", "shoes"),
+    ],
+)
+def test_a_shop_has_goods_on_its_tables_and_a_till_on_its_counter(prompt: str, goods: str):
+    brief = read_brief(prompt)
+    on = {(r.subject.partition("-")[0], r.anchors) for r in brief.relations if r.kind == "on"}
+    assert {(goods, ("display_table",)), ("cash_register", ("counter",))} <= on
+
+
+def test_a_display_table_that_is_empty_stays_so():
+    brief = read_brief("A shop with an empty display table and a counter with a lamp on it")
+    assert not any("display_table" in r.anchors for r in brief.relations if r.kind == "on")
+
+
+def test_people_who_are_named_after_things_are_those_of_the_room():
+    office = counts("An office with desks and computers for five people")
+    assert (office["desk"], office["computer"], office["office_chair"]) == (5, 5, 5)
+
+
 @pytest.mark.parametrize("prompt", ["A room for two children", "A bedroom for two boys"])
 def test_a_room_for_children_is_a_childrens_room(prompt):
     assert read_brief(prompt).room_type == "kids_room"

@@ -450,6 +450,27 @@ def test_those_who_wait_sit_side_by_side():
     assert all(min(apart(a, b) for b in chairs if b is not a) < 0.1 for a in chairs)
 
 
+def test_many_who_wait_sit_at_two_walls_and_not_behind_the_reception():
+    room = made("A waiting room with ten chairs and a reception desk")
+    chairs, (desk,) = placed(room, "chair"), placed(room, "reception_desk")
+    assert len({round(chair.yaw) for chair in chairs}) == 2
+    assert all(desk.to_local(chair.position[:2])[0] > -desk.size[0] / 2 for chair in chairs)
+
+
+def test_a_display_case_stands_beside_the_counter() -> None:
+    room = made("A cafe with a counter, a display case and two tables")
+    (counter,), (case,) = placed(room, "counter"), placed(room, "display_case")
+    assert apart(counter, case) < 0.3
+    assert turn_between(counter.yaw, case.yaw) < 1.0
+
+
+@pytest.mark.parametrize("seed", [12, 101])
+def test_the_ladder_of_a_bunk_bed_is_to_the_room(seed: int):
+    room = generate_room("A children's room with a bunk bed", seed=seed)
+    (bed,) = (p for p in room.scene.placements if p.category == "bunk_bed")
+    assert room.scene.room.polygon.contains(Point(bed.to_room((0.0, bed.size[1] / 2 + 0.6))))
+
+
 def test_what_is_watched_stands_across_from_the_sofa():
     brief = varied(read_brief("A living room"), 0)
     plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng((0, 0))))

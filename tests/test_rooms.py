@@ -27,6 +27,7 @@ from thinkblox.reading import read_brief
         ("A mobile phone shop with a counter", "phone_shop", "phone"),
         ("A clock shop", "shop", "clock"),
         ("A dressing room with an ottoman", "walk_in_closet", "standing_mirror"),
+        ("A dentist's room", "dental_surgery", "dentist_chair"),
         ("A music teacher's studio with a grand piano", "music_room", "rug"),
         ("A flower shop with a counter and buckets of flowers", "florist", "bouquet"),
         ("A furniture showroom", "shop", "armchair"),

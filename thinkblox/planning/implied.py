@@ -24,6 +24,8 @@ _MANY_DESKS, _MANY_SEATS, _MANY_ISLANDS = 4, 12, 2
 """From so many on desks, chairs at no table, and islands stand amid the room rather than along the walls."""
 _WAITING = 4
 """From so many on chairs at no table are those of people who wait."""
+_MOST_ABREAST = 6
+"""More of them do not wait in a single row."""
 _MANY_BENCHES = 4
 """From so many on benches at which people sit stand in rows."""
 _LINE, _BED_LINE = 2, 2
@@ -120,9 +122,10 @@ def _is_set(waiting: list[Member]) -> bool:
 
 
 def _side_by_side(waiting: list[Member]) -> list[Member]:
-    """In one row at a wall, or else at the walls."""
+    """In one row at a wall, or in two where those who wait are many, or else at the walls."""
+    rows = 2 if _is_chair(waiting[0]) and len(waiting) > _MOST_ABREAST else 1
     for index, member in enumerate(waiting):
-        member.ties.append(Tie(kind="in_rows", index=index, count=len(waiting), rows=1, asked=False))
+        member.ties.append(Tie(kind="in_rows", index=index, count=len(waiting), rows=rows, asked=False))
         member.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
     return []
 

@@ -148,7 +148,7 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
     arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
     ranks = {
-        member.id: _rank(member, number, arranged=arranged, before_run=_is_before_run(member, members))
+        member.id: _rank(member, number, arranged=arranged, with_anchor=_is_with_anchor(member, members))
         for number, member in enumerate(members.all)
     }
     for run in _runs(members):
@@ -195,28 +195,33 @@ def _is_wall_wide(member: Member) -> bool:
     return member.mount == "wall" and kind.hanging.middle - height / 2 < _LOW and min(width, height) > _WIDE
 
 
-def _is_before_run(member: Member, members: Members) -> bool:
-    """Whether it belongs before what is built in one line: it takes its place before what stands free, as that does."""
+def _is_with_anchor(member: Member, members: Members) -> bool:
+    """Whether it takes its place before what stands free, as that does by which it stands: a run, or a counter."""
     ties = [tie for tie in member.ties if any(map(is_object, tie.anchors))]
     anchors = [members.by_id[anchor].category for tie in ties for anchor in tie.anchors if anchor in members.by_id]
-    before = bool(anchors) and all(tie.kind == "in_front_of" for tie in ties)
-    return before and all(facts_of(category).is_in("built_in_line") for category in anchors)
+    kinds = {tie.kind for tie in ties}
+    own = facts_of(member.category)
+    if not anchors or (kinds == {"next_to"} and (own.is_in("built_in_line") or not own.is_in("surfaces", "tops"))):
+        return False
+    group = {"in_front_of": "built_in_line", "next_to": "served_over"}.get(next(iter(kinds)), "")
+    return len(kinds) == 1 and all(facts_of(category).is_in(group) for category in anchors)
 
 
-def _rank(member: Member, number: int, *, arranged: bool, before_run: bool) -> _Rank:
+def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
-    What belongs before a run comes with it.
+    What stands before a run, or is one with a counter, comes with it.
     """
     wall = _is_wall_wide(member)
     stage = 0 if wall else 2 if member.flat else _STAGES[member.mount]
-    dependent = _is_dependent(member) and not before_run
+    dependent = _is_dependent(member) and not with_anchor
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
     weight += _NAMED_PLACE_BONUS * wall
-    weight += _COUNTER_BONUS * (stage == 0 and load_habits().is_in(member.category, "served_over"))
+    case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
+    weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     late = arranged and not member.request.asked
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

@@ -14,6 +14,7 @@ from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_t
 from thinkblox.knowledge.seats import places_at, usual_seat
 from thinkblox.knowledge.sets import rest_of_set
 from thinkblox.knowledge.things import are_alike, counts_as, things
+from thinkblox.knowledge.variety import varieties
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.moods import FEW
@@ -32,6 +33,8 @@ _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED, _MOST_STOCKED = 12, 30
 """Books are many shapes: more bookcases than this stay empty, and more shelves of goods, which are fewer."""
+_MOST_SHOWN = 8
+"""Of goods for whole shelves so many are laid out on a table."""
 _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
@@ -75,6 +78,7 @@ def assume(draft: Draft, fill: Fill) -> None:
         _give_places(draft)
         _one_on_each(draft)
         _ring_up(draft)
+        _lay_out_goods(draft, sold)
         _carry(draft, seated=True)
 
 
@@ -460,8 +464,8 @@ def _is_one(noun: str, category: str) -> bool:
 
 
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for, with what belongs to each; two share a double bed."""
-    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2
+    """As many seats, desks or beds as the people the room is for, with what each has; a couple shares its bed."""
+    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2 and not draft.apart
     if not draft.people or share:
         return
     habits, room = load_habits(), room_type(draft.room)
@@ -583,13 +587,27 @@ def _set_down(draft: Draft) -> None:
 
 
 def _ring_up(draft: Draft) -> None:
-    """A cash register on what a prompt calls a cash desk or a checkout, where it names none."""
+    """A cash register where one pays: on what is called a cash desk, and on a counter where such a room has one."""
     if any(are_alike(t.noun, _TILL) for t in draft.things) or _TILL in draft.excluded:
         return
+    paid_at = {a for usual in room_type(draft.room).usual if usual.category == _TILL for _, a, _ in usual.relations}
     for desk in [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "served_over")]:
-        if not _PAID_AT.isdisjoint(desk.text.lower().replace("'", "").split()):
-            register = _add(draft, _TILL, desk.count or 1)
-            draft.bonds.append(Bond("on", register, (desk,), each=desk.many, asked=False))
+        named = not _PAID_AT.isdisjoint(desk.text.lower().replace("'", "").split())
+        if named or desk.noun in paid_at:
+            register = _add(draft, _TILL, (desk.count or 1) if named else 1)
+            draft.bonds.append(Bond("on", register, (desk,), each=named and desk.many, asked=False))
+
+
+def _lay_out_goods(draft: Draft, sold: str) -> None:
+    """What such a shop shows on its tables, where the prompt says nothing of what lies on them."""
+    laid = [anchor for b in draft.bonds if b.kind in ("on", "inside") for anchor in b.anchors]
+    usual = [(u, r[1]) for u in stocked(room_type(draft.room).usual, sold) for r in u.relations if r[0] == "on"]
+    shelved = [u for u, anchor in usual if load_habits().is_in(anchor, "shelves")][:1]
+    for table in [t for t in draft.things if t.asked and t.noun in varieties().shows.split(", ") and t not in laid]:
+        for goods in [u for u, anchor in usual if anchor == table.noun] or shelved:
+            if goods.category not in draft.excluded and "empty" not in (*table.attributes, *table.states):
+                shown = _add(draft, goods.category, min(goods.count, _MOST_SHOWN))
+                draft.bonds.append(Bond("on", shown, (table,), asked=False))
 
 
 def _is_bar(thing: Mention) -> bool:

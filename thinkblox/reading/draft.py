@@ -116,6 +116,7 @@ class Draft:
     openings: list[Gap] = field(default_factory=list)
     room: str = ""
     people: int = 0
+    apart: bool = False
     sizes: list[Size] = field(default_factory=list)
     room_attributes: list[str] = field(default_factory=list)
     style: list[str] = field(default_factory=list)

@@ -86,10 +86,15 @@ def _back_in_room(situation: Situation, rects: Rects) -> Array:
 
 def _among_staff(situation: Situation, rects: Rects) -> Array:
     """What it costs that guests would sit, or have their low table, where those are who serve."""
-    if not situation.facts.is_in("seating", "low_tables"):
+    own, guests = situation.relatives, ("seating", "low_tables")
+    others = [p for p in situation.solid if p.id not in own]
+    if situation.facts.is_in("served_over"):
+        zone = beside(rects, "back", BEHIND_COUNTER, width=situation.size[1] + 2 * ASIDE)
+        seats = [p for p in others if facts_of(p.category).is_in(*guests)]
+        return np.asarray(STAFF * (overlap_depth(zone, Rects.of_placements(tuple(seats))) > TOUCH).any(-1))
+    if not situation.facts.is_in(*guests):
         return np.zeros(len(rects))
-    own = situation.relatives
-    counters = [p for p in situation.solid if p.id not in own and facts_of(p.category).is_in("served_over")]
+    counters = [p for p in others if facts_of(p.category).is_in("served_over")]
     zones = [beside(Rects.of_placements((p,)), "back", BEHIND_COUNTER, width=p.size[1] + 2 * ASIDE) for p in counters]
     return np.asarray(STAFF * (overlap_depth(rects, joined(zones)) > TOUCH).any(-1))
 

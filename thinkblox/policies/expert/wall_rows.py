@@ -20,6 +20,8 @@ PLACES = 13
 """Places tried along a wall."""
 ONE_WALL = 0.6
 """Cost of one long row where two were meant, or of two where one was."""
+LONG, TOO_LONG = 6, 2.0
+"""Members of a row that is not yet long, and the cost of each more where more rows were meant."""
 UNEVEN = 1.0
 """Cost of a row that has fewer than the one across the room."""
 
@@ -37,6 +39,7 @@ def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list
     for rows in (tie.rows,) if told else (1, 2):
         columns = -(-tie.count // rows)
         dear = ONE_WALL * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
+        dear += TOO_LONG * max(0, columns - LONG) * (rows < tie.rows)
         counts = [min(columns, tie.count - row * columns) for row in range(rows)]
         for walls in _walls(situation.room.walls, len(counts)):
             for rank, gap in enumerate(_gaps(situation, walls[0], columns)):

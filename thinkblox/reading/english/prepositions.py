@@ -449,6 +449,8 @@ class Prepositions(Negation):
             if together and thing.count is None:
                 thing.count = math.ceil(people / places_at(thing.noun))
             thing.seats = math.ceil(people / (thing.count or 1)) if together else people
+        elif thing.count is None and thing.plural:
+            self.draft.people = self.draft.people or people
 
     def _are_places(self, thing: Mention) -> bool:
         """Whether it is seats, or what people work at, of which nobody says how many: "chairs for eight people"."""

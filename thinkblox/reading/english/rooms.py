@@ -260,7 +260,9 @@ class Rooms(Memberships):
             self._go_past(several)
             noun.count = several.count
         self.draft.people = noun.count or self.draft.people
-        children = noun.text.lower().split()[-1] in grammar().lists["children"]
+        who = noun.text.lower().split()[-1]
+        self.draft.apart = who in grammar().lists["roommates"]
+        children = who in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:
             self.draft.room = _THEIRS[self.draft.room]
 
