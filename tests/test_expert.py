@@ -224,6 +224,15 @@ def test_seats_gather_about_the_table_and_leave_the_screen_in_sight():
         assert abs(sofa.to_local(seat.position[:2])[1]) > sofa.size[1] / 4
 
 
+def test_sofas_around_a_low_table_leave_room_for_legs_and_none_has_its_back_to_the_screen():
+    done = room("A living room, 5 by 5 metres, with a sofa and two armchairs around a coffee table and a TV.", 5)
+    screen, table = of(done, "tv")[0], of(done, "coffee_table")[0]
+    for seat in (*of(done, "sofa"), *of(done, "armchair")):
+        assert 0.3 <= gap(seat, table) <= 0.6
+        assert seat.to_local(screen.position[:2])[0] > 0.0
+    assert measure(done.scene, "around", [p.id for p in of(done, "armchair")], [table.id]).holds
+
+
 def test_two_desks_that_face_each_other_stand_back_to_back():
     one, other = of(room("A small office with two desks facing each other, each with an office chair."), "desk")
     assert abs((one.yaw - other.yaw) % 360.0 - 180.0) < 1.0

@@ -20,7 +20,7 @@ from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
 from thinkblox.planning.sizes import size_note, size_of
 from thinkblox.planning.surfaces import surface_notes
-from thinkblox.planning.views import gather, keep_views
+from thinkblox.planning.views import gather, keep_views, seat_about
 from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
@@ -56,6 +56,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     deny((relation for relation in relations if relation.negated), members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     gather(members)
+    seat_about(members)
     keep_views(members)
     lower(members)
     count_off(members)
