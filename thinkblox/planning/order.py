@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_COMPANION_BONUS = 0.5
+"""What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
 _LOW, _WIDE = 0.6, 1.2
 """What hangs lower and is wider and higher than that takes a wall as large furniture does [m]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -149,7 +151,13 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
     arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
     ranks = {
-        member.id: _rank(member, number, arranged=arranged, before_run=_is_before_run(member, members))
+        member.id: _rank(
+            member,
+            number,
+            arranged=arranged,
+            before_run=_is_before_run(member, members),
+            companion=_companion(member, members),
+        )
         for number, member in enumerate(members.all)
     }
     for run in _runs(members):
@@ -204,7 +212,15 @@ def _is_before_run(member: Member, members: Members) -> bool:
     return before and all(facts_of(category).is_in("built_in_line") for category in anchors)
 
 
-def _rank(member: Member, number: int, *, arranged: bool, before_run: bool) -> _Rank:
+def _companion(member: Member, members: Members) -> Member | None:
+    """What a thing on a surface keeps its place by, as a keyboard does by the screen; None where that is not there."""
+    companion = facts_of(member.category).companion
+    if companion is None or member.mount != "surface":
+        return None
+    return next(iter(members.of_category(companion.category)), None)
+
+
+def _rank(member: Member, number: int, *, arranged: bool, before_run: bool, companion: Member | None) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
     What belongs before a run comes with it.
@@ -219,5 +235,6 @@ def _rank(member: Member, number: int, *, arranged: bool, before_run: bool) -> _
     weight += _NAMED_PLACE_BONUS * wall
     weight += _COUNTER_BONUS * (stage == 0 and load_habits().is_in(member.category, "served_over"))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
-    late = arranged and not member.request.asked
+    weight += _COMPANION_BONUS * (companion is not None)
+    late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)
