@@ -224,6 +224,15 @@ def test_seats_gather_about_the_table_and_leave_the_screen_in_sight():
         assert abs(sofa.to_local(seat.position[:2])[1]) > sofa.size[1] / 4
 
 
+def test_sofas_around_a_low_table_leave_room_for_legs_and_none_has_its_back_to_the_screen():
+    done = room("A living room, 5 by 5 metres, with a sofa and two armchairs around a coffee table and a TV.", 5)
+    screen, table = of(done, "tv")[0], of(done, "coffee_table")[0]
+    for seat in (*of(done, "sofa"), *of(done, "armchair")):
+        assert 0.3 <= gap(seat, table) <= 0.6
+        assert seat.to_local(screen.position[:2])[0] > 0.0
+    assert measure(done.scene, "around", [p.id for p in of(done, "armchair")], [table.id]).holds
+
+
 def test_two_desks_that_face_each_other_stand_back_to_back():
     one, other = of(room("A small office with two desks facing each other, each with an office chair."), "desk")
     assert abs((one.yaw - other.yaw) % 360.0 - 180.0) < 1.0
@@ -420,3 +429,23 @@ def test_a_sofa_does_not_look_at_its_screen_against_a_window():
     (before, after), (lit, free) = costs
     assert lit > before
     assert free == after
+
+
+def test_screen_and_keyboard_are_straight_before_who_works_at_the_desk():
+    done = room("An office with two desks, each with a drawer pedestal, an office chair, a monitor and a keyboard.", 2)
+    for chair in of(done, "office_chair"):
+        for name in ("monitor", "keyboard"):
+            ahead, aside = min((chair.to_local(p.position[:2]) for p in of(done, name)), key=lambda at: abs(at[1]))
+            assert ahead > 0.0
+            assert abs(aside) < 0.08
+
+
+def test_a_toilet_has_elbow_room_and_a_rug_at_two_beds_lies_between_them():
+    (toilet,) = of(done := room("A small bathroom with a shower, a toilet and a washbasin.", 3), "toilet")
+    for other in done.scene.placements:
+        ahead, aside = toilet.to_local(other.position[:2])
+        if other.id != toilet.id and other.position[2] < 0.1 and abs(ahead) < toilet.size[0] / 2:
+            assert abs(aside) - max(other.size[:2]) / 2 > 0.2 or gap(toilet, other) > 0.15
+    done = room("A guest bedroom with two single beds, a nightstand between them and a rug under the beds.", 3)
+    (one, other), (rug,) = of(done, "bed"), of(done, "rug")
+    assert abs(one.to_local(rug.position[:2])[1] - one.to_local(other.position[:2])[1] / 2) < 0.1

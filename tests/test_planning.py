@@ -53,6 +53,8 @@ def test_every_asked_relation_becomes_a_tie(prompt: str) -> None:
     brief = read_brief(prompt)
     plan = plan_brief(brief, ROOM)
     tied = {(target.request, tie.kind) for target in plan.targets for tie in target.ties if tie.asked}
+    request = {target.id: target.request for target in plan.targets}
+    tied |= {(request[due.subject], due.tie.kind) for target in plan.targets for due in target.due}
     assert {(r.subject, r.kind) for r in brief.relations if r.asked} <= tied
 
 

@@ -125,3 +125,13 @@ def test_words_of_a_room_are_the_things_they_mean(prompt: str, category: str, co
 def test_a_standing_desk_is_height_adjustable() -> None:
     desk = read_brief("A home office with a standing desk").requests[0]
     assert (desk.category, desk.attributes) == ("desk", ("height-adjustable",))
+
+
+def test_a_desk_has_a_chair_whatever_else_there_is_to_sit_on_in_a_detailed_room():
+    from thinkblox.reading import read_brief
+
+    for seat in ("a bean bag", "an ottoman", "a bench at the foot of the bed"):
+        brief = read_brief(f"A girl's room with a bed, a desk, a bookcase, a doll house, a rug and {seat}")
+        drawn_up = [brief.request(r.subject).category for r in brief.relations if r.kind == "at"]
+        assert ["chair" in name for name in drawn_up] == [True], seat
+    assert not any("chair" in r.category for r in read_brief("A bedroom with a bed, a desk and a stool").requests)

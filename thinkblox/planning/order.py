@@ -20,7 +20,7 @@ from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
 from thinkblox.planning.sizes import size_note, size_of
 from thinkblox.planning.surfaces import surface_notes
-from thinkblox.planning.views import gather, keep_views
+from thinkblox.planning.views import gather, keep_views, seat_about
 from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_COMPANION_BONUS = 0.5
+"""What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
 _LOW, _WIDE = 0.6, 1.2
 """What hangs lower and is wider and higher than that takes a wall as large furniture does [m]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -56,6 +58,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     deny((relation for relation in relations if relation.negated), members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     gather(members)
+    seat_about(members)
     keep_views(members)
     lower(members)
     count_off(members)
@@ -148,7 +151,13 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
     arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
     ranks = {
-        member.id: _rank(member, number, arranged=arranged, with_anchor=_is_with_anchor(member, members))
+        member.id: _rank(
+            member,
+            number,
+            arranged=arranged,
+            with_anchor=_is_with_anchor(member, members),
+            companion=_companion(member, members),
+        )
         for number, member in enumerate(members.all)
     }
     for run in _runs(members):
@@ -207,7 +216,15 @@ def _is_with_anchor(member: Member, members: Members) -> bool:
     return len(kinds) == 1 and all(facts_of(category).is_in(group) for category in anchors)
 
 
-def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool) -> _Rank:
+def _companion(member: Member, members: Members) -> Member | None:
+    """What a thing on a surface keeps its place by, as a keyboard does by the screen; None where that is not there."""
+    companion = facts_of(member.category).companion
+    if companion is None or member.mount != "surface":
+        return None
+    return next(iter(members.of_category(companion.category)), None)
+
+
+def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, companion: Member | None) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
     What stands before a run, or is one with a counter, comes with it.
@@ -223,5 +240,6 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool) -> 
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
-    late = arranged and not member.request.asked
+    weight += _COMPANION_BONUS * (companion is not None)
+    late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

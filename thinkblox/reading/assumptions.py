@@ -215,6 +215,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
+        there = [t for t in there if _is_high_enough(t)] if _is_desk(table) else there
         told = draft.excluded if own else (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
@@ -262,6 +263,12 @@ def _is_upright(thing: Mention) -> bool:
     return not habits.is_in(thing.noun, "visits") and (
         habits.is_in(thing.noun, "drawn_aside", "chairs") or _is_stool(thing)
     )
+
+
+def _is_high_enough(seat: Mention) -> bool:
+    """Whether one can work at a desk on it: on no bean bag, pouf or bench."""
+    habits = load_habits()
+    return habits.is_in(seat.noun, "seats") and habits.is_in(seat.noun, "drawn_aside", "chairs")
 
 
 def _is_stool(thing: Mention) -> bool:

@@ -11,7 +11,7 @@ from thinkblox.assets import facts_of
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.situation import Situation, is_seat
+from thinkblox.policies.expert.situation import Situation, is_lounge, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
@@ -28,6 +28,8 @@ ROUND_TUCKS = (0.05, -0.05)
 """The same at a round table: its legs stand between the seats."""
 UNTUCKED = (0.0, -0.05, -0.1)
 """The same for what nobody sits on."""
+LEG_ROOM = (-0.4, -0.35, -0.45)
+"""The same for who leans back before a low table: that far off it."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """Outward direction of each side in the table's own frame [degrees]."""
 OTHERWISE = 1.0
@@ -36,6 +38,8 @@ SPOILT = 2.0
 """Cost of seating people so that one of them finds no place."""
 WHERE_ONE_COOKS = 3.0
 """Cost of sitting at another side of an island than its back."""
+ABOUT = 0.55
+"""A seat farther off a table is not at it [m]."""
 SAME_SEAT = 0.15
 """A placed seat nearer than this to a place, seen along the edge, has taken it [m]."""
 
@@ -116,9 +120,7 @@ def seats(
     situation: Situation, anchor: Placement, place: Place, *, cost: float, tucks: tuple[float, ...] = ()
 ) -> Iterator[Idea]:
     """At one place, drawn up as far as those that stand there, or more or less."""
-    surfaces = situation.scene.asset_of(anchor).surfaces
-    plain = ROUND_TUCKS if surfaces and surfaces[0].round else USUAL_TUCKS
-    usual = (situation.facts.tucks or plain) if is_seat(situation.target.category) else UNTUCKED
+    usual = _tucks(situation, anchor)
     for step, tuck in enumerate(sorted(usual, key=lambda t: min((round(abs(t - k), 2) for k in tucks), default=0.0))):
         yield beside_at(
             situation,
@@ -132,6 +134,16 @@ def seats(
         )
 
 
+def _tucks(situation: Situation, anchor: Placement) -> tuple[float, ...]:
+    """How far the target goes under the anchor, the best first [m]; negative where it keeps away from it."""
+    if not is_seat(situation.target.category):
+        return UNTUCKED
+    if is_lounge(situation.target.category) and facts_of(anchor.category).is_in("lounged_at"):
+        return LEG_ROOM
+    surfaces = situation.scene.asset_of(anchor).surfaces
+    return situation.facts.tucks or (ROUND_TUCKS if surfaces and surfaces[0].round else USUAL_TUCKS)
+
+
 def free_places(
     situation: Situation, anchor: Placement, places: list[Place]
 ) -> tuple[list[Place], int, tuple[float, ...]]:
@@ -139,7 +151,8 @@ def free_places(
     free, strays, tucks = list(places), 0, []
     for p in situation.siblings:
         x, y = anchor.to_local((p.position[0], p.position[1]))
-        if max(abs(x) - anchor.size[0] / 2, abs(y) - anchor.size[1] / 2) > 0.8:
+        off = max(abs(x) - anchor.size[0] / 2, abs(y) - anchor.size[1] / 2)
+        if off > situation.size[0] / 2 + ABOUT:
             continue
         taken = min(free, key=lambda place: _off(place, x, y), default=None)
         if taken is not None and _off(taken, x, y) < SAME_SEAT:
@@ -167,7 +180,7 @@ def _off(place: Place, x: float, y: float) -> float:
 def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> list[bool]:
     """Which places cannot be used, because something stands there or the room ends."""
     size = situation.size
-    tuck = (situation.facts.tucks or USUAL_TUCKS)[0]
+    tuck = _tucks(situation, anchor)[0]
     rects = Rects.of(
         [
             (anchor.to_room(p.seat(size[0], tuck)), (size[0], size[1]), anchor.yaw + p.outward, 0.0, size[2])
@@ -182,7 +195,7 @@ def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> lis
 
 def _companies(situation: Situation, anchor: Placement, count: int) -> list[list[Place]]:
     surfaces = situation.scene.asset_of(anchor).surfaces
-    tucked = max(situation.facts.tucks or USUAL_TUCKS) if is_seat(situation.target.category) else 0.0
+    tucked = max(_tucks(situation, anchor)) if is_seat(situation.target.category) else 0.0
     wide = _circles(anchor, count, situation.size[1], tucked)
     if surfaces and surfaces[0].round:
         return [*wide, *(_ring(anchor, count, phase / 8) for phase in (0, 4, 2, 6))]

@@ -33,6 +33,10 @@ FACES_LIGHT = 0.8
 """Cost of a seat from which a screen will be seen against a window across the room, where there is floor to choose."""
 _HEADS = ("lain_on", "treated_on", "seating", "clear_above")
 """Groups of things under which no shelf hangs."""
+BESIDE_WALL = 0.15
+"""Air behind a seat that stands aside of a sofa by the wall [m]."""
+LEG_ROOM, AT_END = 0.4, 5.0
+"""Floor between a low table and those who lean back at it [m], and cost per metre that is missing for a seat there."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
@@ -40,6 +44,7 @@ IN_USE = 4.0
 def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects) + _room_beside(situation, rects) + _against_light(situation, rects)
+    costs += _room_about_table(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -104,6 +109,25 @@ def _room_beside(situation: Situation, rects: Rects) -> Array:
     narrowest = min(situation.kind(t).size[1] for t in kinds.values())
     zones = [beside(rects, side, narrowest) for side in ("left", "right")]
     return fewest([zone_costs(situation, zone, weight=2.0) for zone in zones], 2)
+
+
+def _room_about_table(situation: Situation, rects: Rects) -> Array:
+    """Other seats will be around the low table before this one: they need the floor at the ends of the table."""
+    later, costs = situation.observation.plan.targets, np.zeros(len(rects))
+    low = [t for t in situation.followers if facts_of(t.category).is_in("lounged_at")]
+    for table in (t for t in low if any(tie.kind == "in_front_of" for tie in t.ties)):
+        about = [t for t in later if any(tie.kind == "around" and table.id in tie.anchors for tie in t.ties)]
+        if not about:
+            continue
+        (depth, width, _), (reach, across, _) = situation.kind(table).size, situation.kind(about[0]).size
+        front, left = rects.axes[:, 0], rects.axes[:, 1]
+        middle = rects.centre + front * (rects.half[:, :1] + LEG_ROOM + depth / 2)
+        reach += BESIDE_WALL
+        half = np.tile([across / 2, reach / 2], (len(rects), 1))
+        aside = width / 2 + LEG_ROOM + reach / 2
+        ends = [Rects(middle + way * aside * left, half, rects.yaw, rects.bottom, rects.top) for way in (-1.0, 1.0)]
+        costs += fewest([zone_costs(situation, end, weight=AT_END) for end in ends], min(len(about), 2))
+    return costs
 
 
 def _room_for_run(situation: Situation, rects: Rects) -> Array:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from thinkblox.assets import facts_of
-from thinkblox.knowledge.uses import uses
+from thinkblox.knowledge.uses import SIDE_WAY, uses
 from thinkblox.knowledge.zones import zone_of
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import in_the_way
@@ -61,11 +61,12 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
 
 
 def used_costs(situation: Situation, rects: Rects) -> Array:
-    """How much of the floor is missing that the object needs to be used."""
+    """How much of the floor is missing that the object needs to be used; what is shallow is as needful as a way."""
     asset, costs = situation.asset, np.zeros(len(rects))
     for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
         zones = [beside(rects, side, use.depth) for side in use.sides]
-        missing = [zone_costs(situation, zone, weight=5.0) + _promised(situation, zone) for zone in zones]
+        weight = 5.0 * max(1.0, SIDE_WAY / use.depth)
+        missing = [zone_costs(situation, zone, weight=weight) + _promised(situation, zone) for zone in zones]
         costs += fewest(missing, use.number)
     return costs
 

@@ -109,7 +109,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     lined = in_rows and partners.gaps_in_row(situation)
     if lined:
         ties = tuple(tie for tie in ties if tie.kind == "in_rows")
-    paired = [] if lined else list(partners.partner_ideas(situation))
+    seated_round = any(tie.kind == "around" for tie in ties)
+    paired = [] if lined or seated_round else list(partners.partner_ideas(situation))
     lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
     dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
     paired += lined_up
@@ -381,6 +382,12 @@ def _far(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
 def _gathers(situation: Situation, anchor: Placement) -> bool:
     """Whether a lounge seat gathers with others around a low table."""
     return is_lounge(situation.target.category) and facts_of(anchor.category).is_in("lounged_at")
+
+
+def _around(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if _gathers(situation, anchor) and tie.count <= len(around.SIDES):
+        return open_floor.about_low_table(situation, anchor)
+    return around.around(situation, anchor, tie)
 
 
 def _at_side(situation: Situation, anchor: Placement, side: str) -> Iterator[Idea]:
@@ -668,7 +675,7 @@ _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "behind": _behind,
     "at_foot_of": _foot,
     "at": around.at_desk,
-    "around": around.around,
+    "around": _around,
     "facing": _facing,
     "facing_away": lambda s, a, t: _turned_to(s, things(s.scene, a.id), t.kind),
     "opposite": _opposite,

@@ -21,6 +21,10 @@ BETWEEN_SEATS = 0.3
 """Free distance between seats side by side [m]."""
 HALF_TURNED = 20.0
 """How far a seat at the end of a low table is turned from it to what others look at [degrees]."""
+WIDER, BESIDE_END = 0.4, 0.5
+"""Cost per metre by which a seat reaches farther past the side of a low table that it stands at than so far [m]."""
+PAST_ANOTHER = (0.0, 0.15, -0.15, 0.3, -0.3, 0.45, -0.45)
+"""How far aside of the middle of an end of a low table a seat stands, to keep off the sofa at its long side [m]."""
 FLOATING = 0.4
 """Cost of a seat with nothing behind it, where it could have a wall."""
 ACROSS_FLOOR = (2.6, 3.0, 2.2)
@@ -144,21 +148,34 @@ def about_low_table(situation: Situation, table: Placement) -> Iterator[Idea]:
     seen = [table.to_local(other.position[:2]) for _, other in situation.looked_across]
     for turn in (90.0, 270.0, 0.0, 180.0):
         at_end = turn % 180.0 != 0.0
+        wide = WIDER * max(0.0, situation.size[1] - BESIDE_END - table.size[0 if at_end else 1])
         for rank, distance in enumerate((0.4, 0.3, 0.48)):
-            idea = _looking(situation, table, turn, distance, 0.1 * rank + (0.0 if at_end else 0.15))
-            yield idea
-            if at_end and seen:
-                towards = -1.0 if (turn == 90.0) == (seen[0][0] < 0.0) else 1.0
-                yaw = (idea.yaw + towards * HALF_TURNED) % 360.0
-                yield replace(idea, yaw=yaw, words=(*idea.words[:-1], turned(yaw)), cost=idea.cost - 0.1)
+            for aside in PAST_ANOTHER if at_end else (0.0,):
+                cost = 0.1 * rank + wide + 0.3 * abs(aside) + (0.0 if at_end else 0.15)
+                idea = _looking(situation, table, turn, distance, cost, aside)
+                yield idea
+                if at_end and seen:
+                    towards = -1.0 if (turn == 90.0) == (seen[0][0] < 0.0) else 1.0
+                    idea = _looking(situation, table, turn, distance + _nearer(situation), cost - 0.1, aside)
+                    yaw = (idea.yaw + towards * HALF_TURNED) % 360.0
+                    yield replace(idea, yaw=yaw, words=(*idea.words[:-1], turned(yaw)))
 
 
-def _looking(situation: Situation, anchor: Placement, turn: float, distance: float, cost: float) -> Idea:
+def _nearer(situation: Situation) -> float:
+    """How much nearer a corner of the target comes when it is half turned [m]."""
+    angle = math.radians(HALF_TURNED)
+    depth, width = situation.size[:2]
+    return width / 2 * math.sin(angle) - depth / 2 * (1.0 - math.cos(angle))
+
+
+def _looking(
+    situation: Situation, anchor: Placement, turn: float, distance: float, cost: float, aside: float = 0.0
+) -> Idea:
     angle = math.radians(turn)
     direction = (math.cos(angle), math.sin(angle))
     edge = _reach(anchor, direction)
     out = edge + distance + situation.size[0] / 2
-    x, y = anchor.to_room((direction[0] * out, direction[1] * out))
+    x, y = anchor.to_room((direction[0] * out + abs(direction[1]) * aside, direction[1] * out))
     yaw = (anchor.yaw + turn + (0.0 if situation.asset.gaze == "back" else 180.0)) % 360.0
     looks = () if situation.asset.gaze == "back" else (Constraint(kind="facing", anchors=(anchor.id,)),)
     words = (*looks, Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))

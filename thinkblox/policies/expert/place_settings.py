@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+from thinkblox.assets import facts_of
 from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
@@ -21,6 +22,15 @@ def by_seats(situation: Situation, anchor: Placement, surface: Surface, free: Ve
         u, v = _before(anchor, surface, seat, inset, reach=max(situation.size[:2]) / 2)
         if abs(u) <= free[0] and abs(v) <= free[1]:
             yield (u, v), -0.6 + (0.0 if number == situation.target.index else 0.1)
+
+
+def axis_of_seat(situation: Situation, anchor: Placement, surface: Surface) -> float:
+    """How far to the left of a surface's middle the one who works at it sits [m]; 0 for nobody, or several."""
+    if not facts_of(anchor.category).is_in("worked_at"):
+        return 0.0
+    asides = [anchor.to_local(seat.position[:2])[1] for seat in _seats_at(situation, anchor)]
+    asides = [aside for aside in asides if abs(aside) < anchor.size[1] / 2]
+    return asides[0] - surface.position[1] if len(asides) == 1 else 0.0
 
 
 def _seats_at(situation: Situation, anchor: Placement) -> list[Placement]:

@@ -7,18 +7,22 @@ from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
 SEATED, DRAWN_BACK = ("around", "at_long_side", "at_short_side"), 0.65
 """Relations of seats to a table, and how far a rug reaches past it for them [m]."""
+IN_LINE, PAIRED = 0.3, 1.2
+"""Beds so nearly in one line, with no more floor between them than this, are a pair [m]."""
 BEYOND_BED = 0.6
 """How far a rug reaches past the sides and the foot of a bed [m]."""
 
 
 def under(situation: Situation, anchor: Placement) -> Iterator[Idea]:
-    """Centred under the anchor; under a bed it lies towards the foot."""
+    """Centred under the anchor; under a bed it lies towards the foot, and on the axis of two that stand together."""
     bed = facts_of(anchor.category).is_in("foot_rugs")
+    middle = _aside_of_pair(situation, anchor) if bed else 0.0
     for rank, size in enumerate(_sizes(situation, anchor)):
         shift = 0.25 * anchor.size[0] if bed else 0.0
         for turn in (0.0, 90.0):
@@ -26,8 +30,20 @@ def under(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             locals_: tuple[Vec2, ...] = ((shift, 0.0), (0.0, 0.0))
             if bed:
                 locals_ = ((anchor.size[0] / 2 + BEYOND_BED - reach / 2, 0.0), *locals_)
+            if middle:
+                locals_ = (*((along, middle) for along, _ in locals_), *locals_)
             for step, local in enumerate(dict.fromkeys(locals_)):
                 yield _lie(situation, anchor, local, turn, size, 0.3 * rank + 0.2 * step + _along(anchor, size, turn))
+
+
+def _aside_of_pair(situation: Situation, bed: Placement) -> float:
+    """How far to the left of a bed the middle between it and the one beside it is [m]; 0 where it stands alone."""
+    for other in situation.alike(bed.id):
+        along, aside = bed.to_local(other.position[:2])
+        beside = abs(along) < IN_LINE and abs(aside) - bed.size[1] < PAIRED
+        if other.id != bed.id and beside and turn_between(other.yaw, bed.yaw) < 1.0:
+            return aside / 2
+    return 0.0
 
 
 def _along(anchor: Placement, size: Vec3, turn: float) -> float:

@@ -2,10 +2,12 @@
 
 import numpy as np
 
+from thinkblox.assets import facts_of
 from thinkblox.plan import Target
-from thinkblox.policies.expert.ground import TOUCH
+from thinkblox.policies.expert.ground import BARELY, TOUCH
 from thinkblox.policies.expert.situation import Situation, is_lounge, is_seat
 from thinkblox.policies.expert.walls import ASIDE, VIEW_RANGE
+from thinkblox.scene.asset import Mount
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 
 BACK_TO_VIEW, BEHIND_ONE, WATCHED_FROM = 5.0, -0.25, 6.0
@@ -22,15 +24,15 @@ def sight_costs(situation: Situation, rects: Rects) -> Array:
     """What each box has against it as a seat from which something is to be seen across the room."""
     if not is_lounge(situation.target.category):
         return np.zeros(len(rects))
-    later = [t for t in situation.followers if comes_across(situation, t)]
+    later = [t for t in situation.followers if comes_across(situation, t, mounts=("floor", "wall"))]
     costs = _turned_from_view(situation, rects) + _off_axis(situation, rects)
     return costs + _no_place_across(situation, rects, later[0]) if later else costs
 
 
-def comes_across(situation: Situation, follower: Target) -> bool:
-    """Whether something that is no seat is to stand across the room from the target."""
+def comes_across(situation: Situation, follower: Target, mounts: tuple[Mount, ...] = ("floor",)) -> bool:
+    """Whether something that is no seat is to stand, or to hang, across the room from the target."""
     across = any(tie.kind == "opposite" and situation.target.id in tie.anchors for tie in follower.ties)
-    return across and not is_seat(follower.category) and situation.kind(follower).mount == "floor"
+    return across and not is_seat(follower.category) and situation.kind(follower).mount in mounts
 
 
 def _turned_from_view(situation: Situation, rects: Rects) -> Array:
@@ -59,19 +61,22 @@ def _off_axis(situation: Situation, rects: Rects) -> Array:
 
 
 def _no_place_across(situation: Situation, rects: Rects, follower: Target) -> Array:
-    """What it costs that what is to stand at the wall across the room finds its place on the axis taken."""
+    """What it costs that what is to stand or hang at the wall across the room finds its place on the axis taken."""
     depth, width, height = situation.kind(follower).size
+    hangs = situation.kind(follower).mount == "wall"
     front, left = rects.axes[:, 0], rects.axes[:, 1]
     ahead = _wall_ahead(situation, rects)
     found = np.isfinite(ahead)
     middle = rects.centre + front * (np.where(found, ahead, 0.0) - depth / 2 - 0.02)[:, None]
     half = np.tile([depth / 2, width / 2], (len(rects), 1))
-    low = np.zeros(len(rects))
+    low = np.full(len(rects), facts_of(follower.category).hanging.middle - height / 2 if hangs else 0.0)
     best = np.full(len(rects), NOWHERE)
     for shift in SHIFTS:
         place = Rects(middle + shift * left, half, rects.yaw, low, low + height)
         taken = overlap_depth(place, situation.solids).max(-1, initial=0.0) > TOUCH
         taken |= overlap_depth(place, situation.door_zones).max(-1, initial=0.0) > TOUCH
+        seen = place if hangs else Rects(place.centre, half, rects.yaw, low, low + height - BARELY)
+        taken |= overlap_depth(seen, situation.window_zones).max(-1, initial=0.0) > TOUCH
         taken |= outside(place, situation.room.polygon) > TOUCH
         best = np.where(taken | ~found, best, np.minimum(best, ASIDE * abs(shift)))
     return best

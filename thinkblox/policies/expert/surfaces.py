@@ -11,7 +11,7 @@ from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import TOUCH
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.judge import boxes, depth_in_others
-from thinkblox.policies.expert.place_settings import by_seats
+from thinkblox.policies.expert.place_settings import axis_of_seat, by_seats
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.sizing import SHRINK, scaled, shares_of
 from thinkblox.scene.asset import Surface
@@ -295,6 +295,7 @@ def _spots(
         marked = ((marked[0][0] if marked else 0.0, aside),)
     elif surface.headroom is None and (tie.kind == "on" or (tie.kind == "inside" and not surface.round)):
         marked = _share_of(situation, anchor, surface, free, tie) or marked
+    marked = (*_before_who_works(situation, anchor, surface, free, marked, tie), *marked)
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
     columns = max(3, min(21, round(free[1] / 0.06)))
@@ -304,6 +305,15 @@ def _spots(
         for j in range(columns):
             u, v = 2 * i / (rows - 1) - 1, 2 * j / (columns - 1) - 1
             yield (u * free[0], v * free[1]), 0.3 + 0.5 * math.hypot(u - wanted[0], v - wanted[1])
+
+
+def _before_who_works(
+    situation: Situation, anchor: Placement, surface: Surface, free: Vec2, marked: tuple[Vec2, ...], tie: Tie
+) -> tuple[Vec2, ...]:
+    """Where a screen is before the one seat at a desk, which need not be drawn up to its middle."""
+    aside = axis_of_seat(situation, anchor, surface) if tie.count == 1 and situation.facts.is_in("screens") else 0.0
+    v = min(max(aside, -free[1]), free[1]) / max(free[1], EDGE)
+    return ((marked[0][0] if marked else 0.0, v),) if aside else ()
 
 
 def _by_companion(

@@ -162,6 +162,8 @@ def across_from(situation: Situation, kind: str) -> Iterator[Idea]:
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
     places = {low, high, (low + high) / 2}
     places |= {low + (high - low) * i / STEPS for i in range(STEPS + 1)}
+    elbows = {use.depth for use in situation.facts.uses if use.sides == ("left", "right")}
+    places |= {end for air in elbows for end in (low + air, high - air)}
     index = situation.room.walls.index(wall)
     for opening in situation.room.openings:
         if opening.wall == index:
@@ -172,6 +174,8 @@ def _places(situation: Situation, wall: Wall, depth: float, width: float, low: f
         if min(inward for _, inward in spots) < depth:
             places |= {min(s for s, _ in spots) - width / 2 - 0.01, max(s for s, _ in spots) + width / 2 + 0.01}
             places |= {min(s for s, _ in spots) - width / 2 - 0.3, max(s for s, _ in spots) + width / 2 + 0.3}
+            ends = (min(s for s, _ in spots) - width / 2, max(s for s, _ in spots) + width / 2)
+            places |= {end for air in elbows for end in (ends[0] - air - 0.01, ends[1] + air + 0.01)}
     return {round(place, 3) for place in places if low <= place <= high}
 
 
