@@ -72,8 +72,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
-    if (across := room_type(brief.room_type).across) is not None:
-        narrow = round(float(rng.uniform(*across)), digits)
+    if (side := room_type(brief.room_type).across) is not None:
+        narrow = round(float(rng.uniform(*side)), digits)
         long = area / narrow if brief.area is not None else run_length(brief) / 2 + _TO_RUN
         return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
