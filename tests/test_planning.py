@@ -15,6 +15,7 @@ from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.plan import Plan
 from thinkblox.planning import plan_brief, plan_room
+from thinkblox.planning.variety import varied
 from thinkblox.reading import read_brief
 from thinkblox.reporting import relations_of
 from thinkblox.scene.room import rectangle
@@ -191,7 +192,7 @@ def test_chairs_for_the_tables_of_a_prompt_have_floor_around_these() -> None:
 
 
 def test_an_l_has_six_corners_and_its_area() -> None:
-    room = plan_room(read_brief("An L-shaped kitchen of 20 m2 with a sink."), rng=0)
+    room = plan_room(read_brief("An L-shaped office of 20 m2 with a desk."), rng=0)
     assert len(room.floor) == 6
     assert room.polygon.area == pytest.approx(20.0, abs=0.1)
 
@@ -364,3 +365,10 @@ def test_who_waits_sits_in_a_row_with_the_magazines_before_its_middle() -> None:
 def test_a_desk_across_which_people_are_served_is_worked_at_from_behind(desk: str) -> None:
     plan = plan_of(f"A public library with four bookcases and a {desk} near the door")
     assert any(target.category == "reception_desk" for target in plan.targets)
+
+
+def test_a_kitchen_called_by_its_shape_is_one_of_cabinets() -> None:
+    brief = read_brief("An L-shaped kitchen with an oven and a breakfast bar with two stools")
+    assert brief.shape == "rectangle"
+    assert {"base_cabinet", "sink", "hob", "fridge"} <= {request.category for request in varied(brief, 1).requests}
+    assert 2.2 <= plan_room(read_brief("a galley kitchen"), rng=0).extent[1] <= 2.6

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta
@@ -62,6 +62,10 @@ class RoomType(Value, frozen=True, kw_only=True):
         windowless: it has no window unless the prompt asks for one.
         panes: its windows, where they are unlike those of houses.
         entered_at_end: its door is in the middle of a short wall.
+        run: how what is built in one line along a wall stands, where the type is called by it: round a corner, or
+            along two walls across from each other.
+        across: the least and the greatest length of its shorter side, where the type is called by that [m].
+        shapes: the type that is meant by a shape, where that is not said of the floor: an L-shaped kitchen.
     """
 
     area: Positive
@@ -79,6 +83,9 @@ class RoomType(Value, frozen=True, kw_only=True):
     windowless: bool = False
     panes: Panes | None = None
     entered_at_end: bool = False
+    run: Literal["", "corner", "facing"] = ""
+    across: tuple[Positive, Positive] | None = None
+    shapes: dict[str, str] = {}
 
     @property
     def usual(self) -> tuple[Usual, ...]:

@@ -9,7 +9,7 @@ from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
-from thinkblox.plan import Due, Plan, Target, is_object
+from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.groups import count_off, lower
@@ -57,6 +57,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
             tie_relation(brief, relation, members)
     deny((relation for relation in relations if relation.negated), members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
+    _join_runs(members)
     gather(members)
     seat_about(members)
     keep_views(members)
@@ -191,6 +192,17 @@ def _runs(members: Members) -> list[list[str]]:
         for anchor in tie.anchors
     }
     return [run for run in runs.values() if len(run) > 1 and beside.isdisjoint(run)]
+
+
+def _join_runs(members: Members) -> None:
+    """What is only assumed to stand next to a part of its run stands anywhere in it, as the run is best lined up."""
+    for run in _runs(members):
+        for member in (members.by_id[id] for id in run):
+            kept = [
+                tie for tie in member.ties if tie.asked or tie.kind != "next_to" or not set(run).issuperset(tie.anchors)
+            ]
+            if len(kept) < len(member.ties):
+                member.ties[:] = kept or [Tie(kind="against_wall", anchors=("wall",), asked=False)]
 
 
 def _is_dependent(member: Member) -> bool:

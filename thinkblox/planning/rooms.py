@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import across_need, needed_area, wall_needs
+from thinkblox.planning.space import across_need, needed_area, run_length, wall_needs
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
@@ -26,6 +26,8 @@ _CLOSE = 1.1
 _SMALL, _LARGE = 20.0, 40.0
 """Floors of rooms that vary most, and from which they vary as halls do [m2]."""
 _LEAST_SIDE = 1.8
+_TO_RUN = 1.5
+"""Length of a narrow room besides the runs along both of its walls, for the door at its end [m]."""
 _NOT_NARROWER = 0.6
 """Least proportion of a room that is longer for what is to be far apart in it."""
 _CLOSE_ROOMS = frozenset({"tiny", "small"})
@@ -70,6 +72,10 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
+    if (side := room_type(brief.room_type).across) is not None:
+        narrow = round(float(rng.uniform(*side)), digits)
+        long = area / narrow if brief.area is not None else run_length(brief) / 2 + _TO_RUN
+        return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
     width = round(min(MAX_SIDE, area / depth), digits)
     if brief.area is not None:

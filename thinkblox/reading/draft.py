@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from thinkblox.brief import RelationKind, SurfaceRequest, Word
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.knowledge.themes import Theme
 from thinkblox.reading.sizes import Size
 
@@ -132,6 +133,13 @@ class Draft:
     account: tuple[Word, ...] = ()
     themes: list[Theme] = field(default_factory=list)
     _subjects: "_Subjects | None" = field(default=None, repr=False, compare=False)
+
+    def shape_room(self, room: str, looks: list[str]) -> list[str]:
+        """Take the type of room that a shape means for the room of a type; returns the other looks."""
+        shapes = room_type(room).shapes
+        meant = [shapes[look] for look in looks if look in shapes] if room == self.room else []
+        self.room = meant[0] if meant else self.room
+        return [look for look in looks if look not in shapes] if meant else looks
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""

@@ -101,7 +101,7 @@ class Nouns(Parts):
     def _room(self, phrase: Phrase) -> None:
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = phrase.value
-        self.draft.room_attributes += phrase.attributes
+        self.draft.room_attributes += self.draft.shape_room(phrase.value, phrase.attributes)
         self.draft.empty |= "empty" in phrase.attributes
         if phrase.size:
             self.draft.sizes.append(phrase.size)

@@ -5,13 +5,14 @@ A run that is too long for every wall goes round a corner or is shared by two wa
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import pairwise, permutations
+from dataclasses import dataclass, replace
+from itertools import islice, pairwise, permutations
 from typing import NamedTuple
 
 import numpy as np
 
 from thinkblox.assets import facts_of
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import darkens, zone_costs
@@ -41,10 +42,25 @@ USED = 0.9
 """Free depth before a run [m]."""
 ROUND_CORNER, ON_TWO_WALLS = 1.5, 2.5
 """Cost of a run that goes round a corner, and of one that is on two walls across from each other."""
+NOT_AS_MEANT = 6.0
+"""Cost of another layout than the one that the room is called by."""
 AWAY_FROM_CORNER = 0.25
 """Cost per metre from the nearest corner."""
 HARD = 30.0
 """Cost of a member outside, in something, in a door's swing or before a window."""
+NEXT_TO = ("next_to", "left_of", "right_of", "between")
+"""Relations of neighbours in a run."""
+HOT_BY_WINDOW = 6.0
+"""Cost of cooking under a window."""
+HOT_BY_WET, NO_WORKTOP, APPLIANCES, PARTED = 3.0, 1.0, 0.5, 4.0
+"""Costs of a hob beside a sink, of one with no worktop at a side, of two appliances side by side, and of parting two
+that are asked to be side by side."""
+UNEVEN = 0.8
+"""Cost per metre by which the parts of a run differ that is to be on two walls."""
+ORDERS = 4
+"""Ways to line up a run that are tried, each from either end."""
+MOST_TRIED = 8000
+"""Orders of a run that are compared."""
 BY_WINDOW = ("under", "near", "next_to", "in_front_of")
 """Relations to a window that a place in a run can meet."""
 SAME_PLACE = 0.12
@@ -61,6 +77,9 @@ class RunMember(NamedTuple):
         cabinet: whether it has a worktop.
         walls: the numbers of the walls that it may stand against.
         window: whether it, or what is built into it, is to be by a window.
+        hot: whether one cooks on it; no window is above that, and no water beside.
+        wet: whether a sink is built into it.
+        beside: those that it is asked to stand beside.
     """
 
     id: str
@@ -68,6 +87,14 @@ class RunMember(NamedTuple):
     cabinet: bool
     walls: frozenset[int]
     window: bool
+    hot: bool = False
+    wet: bool = False
+    beside: frozenset[str] = frozenset()
+
+    @property
+    def is_free(self) -> bool:
+        """Whether its top is there to work on."""
+        return self.cabinet and not (self.hot or self.wet)
 
 
 class RunSlot(NamedTuple):
@@ -145,6 +172,8 @@ def _is_given(tie: Tie) -> bool:
 
 
 def _members(situation: Situation) -> list[RunMember]:
+    built_in = [t for t in situation.observation.plan.targets if facts_of(t.category).is_in("built_in")]
+    on = {anchor: t.category for t in built_in for tie in t.ties if tie.kind == "on" for anchor in tie.anchors}
     return [
         RunMember(
             t.id,
@@ -152,6 +181,9 @@ def _members(situation: Situation) -> list[RunMember]:
             facts_of(t.category).is_in("takes_built_in"),
             _walls_of(situation, t),
             any(tie.kind in BY_WINDOW and tie.anchors == ("window",) for tie in t.ties),
+            hot=facts_of(on.get(t.id, t.category)).is_in("clear_above"),
+            wet=t.id in on and not facts_of(on[t.id]).is_in("clear_above"),
+            beside=frozenset(a for tie in t.ties if tie.asked and tie.kind in NEXT_TO for a in tie.anchors),
         )
         for t in _company(situation)
     ]
@@ -179,24 +211,48 @@ def _layouts(situation: Situation, members: list[RunMember]) -> Iterator[_Layout
     low = [m for m in members if m.size[2] <= TALL]
     tall = [m for m in members if m.size[2] > TALL]
     walls = situation.room.walls
-    for order in _orders(low):
+    meant = room_type(situation.observation.plan.brief.room_type).run
+    for order, dear in _orders(low):
         for ends in _ends(tall):
             for number in range(len(walls)):
                 for slots, away in _straight(walls, number, order, ends):
-                    yield _Layout(slots, AWAY_FROM_CORNER * away)
-            yield from _on_two(walls, order, ends)
+                    yield _Layout(slots, AWAY_FROM_CORNER * away + dear + (NOT_AS_MEANT if meant else 0.0))
+            for layout in _on_two(walls, order, ends, meant):
+                yield replace(layout, cost=layout.cost + dear)
 
 
-def _orders(low: list[RunMember]) -> list[list[RunMember]]:
-    """Ways to line up what is low: appliances between cabinets, seen from either end."""
-    cabinets, others = [m for m in low if m.cabinet], [m for m in low if not m.cabinet]
-    if not cabinets or not others:
-        return [low, low[::-1]] if len(low) > 1 else [low]
-    order: list[RunMember] = []
-    for number, cabinet in enumerate(cabinets):
-        first, last = (len(others) * n // len(cabinets) for n in (number, number + 1))
-        order += [cabinet, *others[first:last]]
-    return [order, order[::-1]]
+def _orders(low: list[RunMember]) -> list[tuple[list[RunMember], float]]:
+    """The best ways to line up what is low, seen from either end, with what each costs; plain cabinets stay in turn."""
+    plain = [m for m in low if m.is_free and not (m.beside or m.window)]
+    special = [m for m in low if m not in plain]
+    found: list[tuple[float, list[RunMember]]] = []
+    for places in islice(permutations(range(len(low)), len(special)), MOST_TRIED):
+        at = dict(zip(places, special, strict=True))
+        rest = iter(plain)
+        line = [at[n] if n in at else next(rest) for n in range(len(low))]
+        found.append((_order_cost(line), line))
+    found.sort(key=lambda pair: pair[0])
+    least = found[0][0] if found else 0.0
+    best = found[:ORDERS] or [(0.0, [])]
+    return [
+        (order, cost - least) for cost, line in best for order in ((line, line[::-1]) if len(line) > 1 else (line,))
+    ]
+
+
+def _order_cost(line: list[RunMember]) -> float:
+    """What is wrong with a line: a hob by the sink or without worktop, appliances in a heap, a dishwasher far off."""
+    cost = 0.0
+    for one, other in pairwise(line):
+        cost += HOT_BY_WET * ((one.hot and other.wet) or (one.wet and other.hot))
+        cost += APPLIANCES * (not one.cabinet and not other.cabinet)
+        cost -= 0.1 * ((one.wet and not (other.cabinet or other.hot)) or (other.wet and not (one.cabinet or one.hot)))
+    for n, member in enumerate(line):
+        near = [line[k] for k in (n - 1, n + 1) if 0 <= k < len(line)]
+        cost += NO_WORKTOP * member.hot * (2 - sum(m.is_free for m in near))
+        cost += NO_WORKTOP / 2 * member.wet * (not any(m.is_free for m in near))
+        beside = {m.id for m in near}
+        cost += PARTED * len((member.beside & {m.id for m in line}) - beside)
+    return cost
 
 
 def _ends(tall: list[RunMember]) -> list[tuple[list[RunMember], list[RunMember]]]:
@@ -218,33 +274,39 @@ def _straight(
 
 
 def _on_two(
-    walls: Sequence[Wall], order: list[RunMember], ends: tuple[list[RunMember], list[RunMember]]
+    walls: Sequence[Wall], order: list[RunMember], ends: tuple[list[RunMember], list[RunMember]], meant: str
 ) -> Iterator[_Layout]:
-    """A part along one wall and the rest along the next, from their corner, or along the one across the room."""
+    """A part along one wall and the rest along the next, from their corner, or along the one across the room.
+
+    Where one of these is meant, the parts are about as long.
+    """
     line = [*ends[0], *order, *ends[1]]
     for cut in range(1, len(line)):
         first, second = line[:cut], line[cut:]
+        uneven = UNEVEN * abs(_length(first) - _length(second))
         for one, other in permutations(range(len(walls)), 2):
             turn = turn_between(walls[one].yaw, walls[other].yaw)
             if turn > 179.0:
-                yield from _across(walls, (one, other), first, second)
+                dear = uneven if meant == "facing" else ON_TWO_WALLS + (NOT_AS_MEANT if meant else 0.0)
+                yield from _across(walls, (one, other), first, second, dear)
             elif turn > 1.0 and other == (one + 1) % len(walls):
-                yield from _round(walls, (one, other), first, second)
+                dear = uneven if meant == "corner" else ROUND_CORNER + (NOT_AS_MEANT if meant else 0.0)
+                yield from _round(walls, (one, other), first, second, dear)
 
 
 def _round(
-    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember]
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember], cost: float
 ) -> Iterator[_Layout]:
     """Round the corner at the end of the first wall: both parts begin past the depth of the other."""
     depths = [max(m.size[0] for m in part) + WALL_GAP + CORNER for part in (first, second)]
     start = walls[pair[0]].length - depths[1] - _length(first)
     if start >= 0.0 and depths[0] + _length(second) <= walls[pair[1]].length:
         slots = (*_slots(first, pair[0], start), *_slots(second, pair[1], depths[0]))
-        yield _Layout(slots, ROUND_CORNER)
+        yield _Layout(slots, cost)
 
 
 def _across(
-    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember]
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember], cost: float
 ) -> Iterator[_Layout]:
     lengths = [walls[n].length - _length(part) - 2 * WALL_GAP for n, part in zip(pair, (first, second), strict=True)]
     if min(lengths) < 0.0:
@@ -252,7 +314,7 @@ def _across(
     for a in (0.0, lengths[0]):
         for b in (0.0, lengths[1]):
             slots = (*_slots(first, pair[0], a + WALL_GAP), *_slots(second, pair[1], b + WALL_GAP))
-            yield _Layout(slots, ON_TWO_WALLS)
+            yield _Layout(slots, cost)
 
 
 def _length(line: list[RunMember]) -> float:
@@ -308,6 +370,8 @@ def _costs(situation: Situation, layouts: list[_Layout]) -> Array:
     used = 3.0 * overlap_depth(rects, alone.clearances).max(-1, initial=0.0)
     meant = 2.0 * overlap_depth(rects, situation.reserved).max(-1, initial=0.0)
     each = (bad + before + used + meant).reshape(len(layouts), count).sum(-1)
+    hot = (sum(slot.member.hot and _is_by_window(situation, slot) for slot in layout.slots) for layout in layouts)
+    each += HOT_BY_WINDOW * np.fromiter(hot, dtype=float, count=len(layouts))
     return np.asarray(each + [layout.cost for layout in layouts])
 
 

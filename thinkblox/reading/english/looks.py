@@ -36,7 +36,8 @@ class Descriptions(Rooms):
         node = self.frontier[-1] if self.frontier else None
         if node is None or not node.things:
             if not self.draft.things:
-                self.draft.room_attributes += self._looks_of(said, denied=self.negating)
+                looks = self._looks_of(said, denied=self.negating)
+                self.draft.room_attributes += self.draft.shape_room(self.draft.room, looks)
             elif said.attributes:
                 self.account.mark(said.start, said.end, "style")
             return

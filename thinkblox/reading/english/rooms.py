@@ -58,6 +58,7 @@ class Rooms(Memberships):
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
         looks = self._looks_of(noun, denied=noun.det == "no" or self.negating)
+        looks = self.draft.shape_room(noun.value, looks)
         self.draft.room_attributes += [a for a in looks if not people((a,))]
         owners = grammar().people(word.strip("'\u2019") for word in noun.text.lower().split())
         self.draft.people = self.draft.people or people(noun.attributes) or owners
