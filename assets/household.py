@@ -144,6 +144,7 @@ def drying_rack(spec: Spec) -> Build:
         for s in (-1, 1)
     ]
     body += [cylinder(STEEL, around(s * (x / 2 - 0.012), 0.024), around(0, y), (0, 0.024), axis=1) for s in (-1, 1)]
+    body.append(box(STEEL, (-x / 2 + 0.03, x / 2 - 0.03), around(0, y - 0.06), (z - 0.006, z)))
     for at, finish in ((-0.25 * y, WHITE_COTTON), (0.2 * y, spec.style.accent)):
         body.append(box(finish, (0.1 * x - 0.004, 0.1 * x), around(at, 0.42), (0.45 * z, z - 0.02)))
     return Build(body=body, surfaces=[top_surface("bars", (-x / 2 + 0.03, x / 2 - 0.03), around(0, y - 0.06), z)])

@@ -143,6 +143,8 @@ def test_a_plan_that_a_model_orders_furnishes_a_room():
             return read.plan(known)
 
     prompt = "A study with a desk, a bookcase and a lamp on the desk."
-    room = generate_room(prompt, planner=Planned(), briefer=GrammarBriefer("named"), effort=Effort(restarts=0))
+    room = generate_room(
+        prompt, planner=Planned(), briefer=GrammarBriefer("named"), fill="named", effort=Effort(restarts=0)
+    )
     assert [target.category for target in room.plan.targets][:2] == ["bookcase", "desk"]
     assert room.report.valid

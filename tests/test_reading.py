@@ -150,7 +150,7 @@ OWN = {
         "nightstand between bed, toy_box at_foot_of bed",
     ),
     "A cafe with six round tables, each with two chairs, and a menu board behind the counter.": (
-        "6 dining_table, 12 chair, 1 menu_board, 1 counter",
+        "6 dining_table, 12 chair, 1 menu_board, 1 counter, 1 cash_register",
         "chair around dining_table, menu_board behind counter",
     ),
     "A library with a reading table with eight chairs around it, and a globe on the table.": (

@@ -288,9 +288,9 @@ def _has_room(brief: Brief, more: Brief, factor: float = 1.0) -> bool:
         wall = _RUN * max(brief.width, brief.depth)
         if run_length(more) > max(wall, run_length(brief)):
             return False
-    area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0)
-    needed = furniture_area(more)
-    return needed <= max(factor * area, furniture_area(brief))
+    taken = furniture_area(brief)
+    area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0) or taken
+    return furniture_area(more) <= max(factor * area, taken)
 
 
 def _with(brief: Brief, option: Option, fill: Fill) -> Brief:
