@@ -58,6 +58,7 @@ class Bound:
     Attributes:
         of_room: it is turned into the room ("facing the room").
         part: on which part of the top of its anchor; empty where any will do.
+        end: at the very end of the top on that part.
         side: at which side of its anchor a seat is drawn up to it.
         middle: at the middle of the walls that it stands against.
         seat: before which seat of a table it lies.
@@ -70,6 +71,7 @@ class Bound:
     negated: bool = False
     of_room: bool = False
     part: PartOfTop | Literal[""] = ""
+    end: bool = False
     side: RelationKind | None = None
     middle: bool = False
     seat: str = ""
@@ -366,7 +368,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if noun.value == "side" and noun.count == 1 and where.word != "from":
         raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
-        return Bound("on", anchors, where.negated, part=part)
+        return Bound("on", anchors, where.negated, part=part, end=part != "end" and noun.word.lower() == "end")
     if where.second is not None and len(anchors) == 1:
         return Bound(_side_towards(finder, where, where.second, anchors[0]), anchors, where.negated)
     if noun.value in ("side", "end") and noun.det == "other":
@@ -1015,7 +1017,9 @@ def _foremost(finder: Finder, noun: Noun, mark: Landmark) -> list[Placement]:
     others = [c for c in corners(finder.scene.room) if c.name != mark.name]
     best = min(found, key=lambda p: math.dist(p.position[:2], mark.centre))
     if any(math.dist(best.position[:2], c.centre) < math.dist(best.position[:2], mark.centre) for c in others):
-        raise InputError(f"there is no {noun.word} there: '{noun.text}'; there is {', '.join(map(finder.described, found))}")
+        raise InputError(
+            f"there is no {noun.word} there: '{noun.text}'; there is {', '.join(map(finder.described, found))}"
+        )
     return [best]
 
 
@@ -1206,7 +1210,9 @@ def _is_on_side(thing: Placement, placement: Placement, kind: str) -> bool:
 def _marks(scene: Scene, there: Bound) -> list[Landmark]:
     """From what a distance to a place counts: of a corner it is that corner, not the walls that meet there."""
     if there.kind == "in_corner" and there.anchors != ("corner",):
-        found = [c for c in corners(scene.room) if {*there.anchors} <= {*c.name.removeprefix("corner of ").split(" and ")}]
+        found = [
+            c for c in corners(scene.room) if {*there.anchors} <= {*c.name.removeprefix("corner of ").split(" and ")}
+        ]
         if found:
             return found
     return [mark for name in there.anchors for mark in things(scene, name)]
