@@ -56,7 +56,7 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
     if there.of_room:
         return IntoRoom()
     if there.part:
-        return OnPart("on", there.anchors, part=there.part)
+        return OnPart("on", there.anchors, part=there.part, end=there.end)
     if there.kind == "on" and there.anchors and all(name.endswith("_wall") for name in there.anchors):
         return OnWall("on", there.anchors, there.negated)
     if there.seat:

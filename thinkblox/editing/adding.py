@@ -1,5 +1,6 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
@@ -95,6 +96,9 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
+    if noun.det != "another" and not _without_laid(work, guess, slots):
+        work.done.append(f"{noun.text} is before each of them: it is so already")
+        return []
     places, slots = _of_those(finder, places, slots)
     if noun.degree and noun.degree != SAME:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
@@ -184,6 +188,20 @@ def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[
     if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):
         raise InputError(f"'{order.text}': {', '.join(sorted(out))} is none of several places that are named")
     return left
+
+
+def _without_laid(work: Work, category: str, slots: list[list[Bound]]) -> bool:
+    """Leave out the seats of several before which such a thing lies already; False where none is left."""
+    scene = work.scene
+    laid = [p for p in scene.placements if p.category == category]
+    for at, bounds in enumerate(slots):
+        seats = [bound.seat for bound in bounds]
+        if len(seats) < 2 or not all(seats):
+            continue
+        near = [min(seats, key=lambda seat: math.dist(scene[seat].position[:2], p.position[:2])) for p in laid]
+        served = {seat for seat, p in zip(near, laid, strict=True) if bounds[seats.index(seat)].holds(scene, p.id)}
+        slots[at] = [bound for bound in bounds if bound.seat not in served]
+    return all(slots)
 
 
 def _of_those(finder: Finder, places: list[Where], slots: list[list[Bound]]) -> tuple[list[Where], list[list[Bound]]]:

@@ -447,11 +447,15 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
     if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
         work.kept |= {p.id for p in work.scene.placements}
+    undone = False
     for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
         work.order = (number, order.text)
         finder.owners, finder.several, finder.named, finder.about = [], [], [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
+        if number and undone and _needs(order, orders[number - 1]):
+            work.failed.append(f"'{order.text}' was not done, as '{orders[number - 1].text}' was not")
+            continue
         try:
             _on_either(order, finder)
             _check_back(order, finder)
@@ -462,6 +466,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
                 raise
             raise InputError(f"{error}; nothing was done, {others} neither") from error
         _hold(work, order, before, said[0])
+        undone = work.scene is before and len(work.failed) > said[1]
         gone = [p for p in before.placements if p.id not in work.scene]
         finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
         if said == (len(work.done), len(work.failed)):
@@ -470,6 +475,13 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     work.failed[:] = dict.fromkeys(work.failed)
     work.failed += work.unkept()
     return tuple(id for id in finder.recent if id in work.scene)
+
+
+def _needs(order: Order, last: Order) -> bool:
+    """Whether what is taken away is so because of what was put elsewhere before: "instead", "and remove the other"."""
+    other = any(phrase.noun.det == "other" or phrase.noun.value == "other" for phrase in order.things)
+    moving = last.doing in ("put", "move", "add", "replace")
+    return order.doing == "remove" and moving and (other or "instead" in last.text.lower().split())
 
 
 def _check_back(order: Order, finder: Finder) -> None:

@@ -253,7 +253,7 @@ class Finder:
         literal = [p for p in fitting if noun.word in p.category.split("_")]
         fitting = literal or fitting
         exact = [p for p in fitting if p.category == noun.value]
-        if len(exact) > 1 and len(exact) == (2 if noun.det == "both" else noun.count):
+        if len(exact) > 1 and (_is_told_otherwise(noun) or len(exact) == (2 if noun.det == "both" else noun.count)):
             return exact
         wide = wide or noun.many or noun.each or bool(noun.every or noun.rows) or noun.det in ("all", "both", "other")
         fitting = exact if exact and not wide else fitting
@@ -449,11 +449,20 @@ class Finder:
 
 
 def _around(scene: Scene, ids: Sequence[str]) -> list[str]:
-    """Seats at one table as one counts them going around it; anything else as its ids are numbered."""
+    """Seats at one table as one goes around it, what stands at walls as one goes along them, else by their numbers."""
     tables = [p for p in scene.placements if facts_of(p.category).is_in("tables")]
     table = next((t for t in tables if all(measure(scene, "at", id, (t.id,)).holds for id in ids)), None)
     if table is None or not all(facts_of(scene[id].category).is_in("seating") for id in ids):
-        return list(ids)
+        walls = {
+            id: next(
+                (n for n, w in enumerate(scene.room.walls) if measure(scene, "against_wall", id, (w.name,)).holds), -1
+            )
+            for id in ids
+        }
+        if -1 in walls.values():
+            return list(ids)
+        along = {id: scene.room.walls[n].coordinates(scene[id].position[:2])[0] for id, n in walls.items()}
+        return sorted(ids, key=lambda id: (walls[id], along[id]))
     local = {id: table.to_local(scene[id].position[:2]) for id in ids}
     return sorted(ids, key=lambda id: math.atan2(local[id][1], local[id][0]))
 
@@ -546,6 +555,15 @@ def _has_length(placement: Placement, metres: float, axis: str) -> bool:
     deep, wide, high = placement.size
     sides = {"width": (wide,), "depth": (deep,), "height": (high,), "length": (max(deep, wide),)}
     return any(abs(side - metres) <= SAME_SIZE for side in sides.get(axis, (deep, wide, high)))
+
+
+def _is_told_otherwise(noun: Noun) -> bool:
+    """Whether a word says which are meant that no thing of a room shows: "the waiting chairs" are no office chairs."""
+    said = {*own_name(noun.called, noun.value).split()} if noun.named and not whose(noun.text) else set()
+    shown = " ".join(
+        (noun.value.replace("_", " "), noun.word, *noun.attributes, *noun.unshown, *noun.looks, noun.degree)
+    )
+    return bool({singular(word) for word in said} - {singular(word) for word in shown.lower().split()})
 
 
 def _is_whichever(noun: Noun) -> bool:

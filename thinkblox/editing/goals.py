@@ -104,13 +104,16 @@ class Related:
 PartOfTop = Literal["left", "right", "front", "back", "end"]
 OFF_MIDDLE = 0.12
 """From which share of a top's length on its one half is left, and twice that its end."""
+TO_END = 0.12
+"""How much of a top's length is free at most between one end of it and what stands at that end."""
 
 
 @dataclass(frozen=True)
 class OnPart(Related):
-    """It stands on a part of the top of a thing, as that thing's front shows its sides."""
+    """It stands on a part of the top of a thing, as that thing's front shows its sides; `end`: at its end."""
 
     part: PartOfTop = "end"
+    end: bool = False
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """On it, and how far from the middle of its top, as a share of its length."""
@@ -122,7 +125,9 @@ class OnPart(Related):
         far = {"left": left, "right": -left, "front": ahead, "back": -ahead}.get(self.part)
         if far is None:
             far = abs(ahead if carrier.size[0] > carrier.size[1] else left) / 2
-        return held and far >= OFF_MIDDLE, f"{says}, {far:.0%} of it from its middle to the {self.part}"
+        axis = 1 if self.part in ("left", "right") else 0
+        outer = 0.5 - TO_END - min(after[id].size[:2]) / carrier.size[axis] / 2 if self.end else 0.0
+        return held and far >= max(OFF_MIDDLE, outer), f"{says}, {far:.0%} of it from its middle to the {self.part}"
 
 
 @dataclass(frozen=True)

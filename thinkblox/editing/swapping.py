@@ -112,7 +112,8 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
     for id, partner in ((one, other), (other, one)):
         away = math.dist(work.scene[id].position[:2], before[partner].position[:2])
         where = f"{away:.2f} m from" if away > AWAY else "to"
-        work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was")
+        why = f"; exactly exchanged, {verdict}" if away > AWAY and not verdict.valid else ""
+        work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was{why}")
     finder.recent = ids
 
 

@@ -3,7 +3,9 @@
 import dataclasses
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, cast, get_args
 
 from shapely import Point
@@ -56,6 +58,7 @@ class Bound:
     Attributes:
         of_room: it is turned into the room ("facing the room").
         part: on which part of the top of its anchor; empty where any will do.
+        end: at the very end of the top on that part.
         side: at which side of its anchor a seat is drawn up to it.
         middle: at the middle of the walls that it stands against.
         seat: before which seat of a table it lies.
@@ -68,6 +71,7 @@ class Bound:
     negated: bool = False
     of_room: bool = False
     part: PartOfTop | Literal[""] = ""
+    end: bool = False
     side: RelationKind | None = None
     middle: bool = False
     seat: str = ""
@@ -364,7 +368,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if noun.value == "side" and noun.count == 1 and where.word != "from":
         raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
-        return Bound("on", anchors, where.negated, part=part)
+        return Bound("on", anchors, where.negated, part=part, end=part != "end" and noun.word.lower() == "end")
     if where.second is not None and len(anchors) == 1:
         return Bound(_side_towards(finder, where, where.second, anchors[0]), anchors, where.negated)
     if noun.value in ("side", "end") and noun.det == "other":
@@ -968,25 +972,73 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
             raise InputError(f"'{phrase.text}' can be counted in several ways; say which by its id or its place")
         phrase = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, side=sided.noun.value))
         said = [where for where in said if where is not sided]
+    if not (phrase.id or phrase.noun.id) and (mark := _corner_of_word(finder.scene, phrase.noun)) is not None:
+        return finder.ids(phrase, picks=picks, among=_foremost(finder, phrase.noun, mark))
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
-    wide = any(by_distance(where) for where in said)
-    found = finder.matching(phrase.noun, wide=wide)
+    every = finder.matching(phrase.noun, wide=True)
+    found = every if any(by_distance(where) for where in said) else finder.matching(phrase.noun)
     if not found:
         raise finder.nothing(phrase.noun.text)
+    if len(every) > len(found):
+        for among in (found, every):
+            with suppress(InputError):
+                return finder.ids(phrase, picks=picks, among=_told(finder, phrase, said, among, just=True))
+    try:
+        found = _told(finder, phrase, said, found)
+    except InputError:
+        if len(every) <= len(found):
+            raise
+        found = _told(finder, phrase, said, every)
+    return finder.ids(phrase, picks=picks, among=found)
+
+
+def _corner_of_word(scene: Scene, noun: Noun) -> Landmark | None:
+    """The corner of the room that is said of a thing itself: "the back left desk"."""
+    words = noun.text.lower().split() if noun.kind == "thing" else []
+    for depth, side in pairwise(words):
+        if (wall := means("depths", depth)) and side in ("left", "right"):
+            walls = {_walls_of(scene, wall), _walls_of(scene, f"{side}_wall")}
+            of_walls = ((c, {*c.name.removeprefix("corner of ").split(" and ")}) for c in corners(scene.room))
+            return next((corner for corner, names in of_walls if walls <= names), None)
+    return None
+
+
+def _foremost(finder: Finder, noun: Noun, mark: Landmark) -> list[Placement]:
+    """The one of a kind that is nearest to a corner; the only one where it is on that side.
+
+    Raises:
+        InputError: the only one is on another side.
+    """
+    found = finder.matching(noun, wide=True)
+    if not found:
+        raise finder.nothing(noun.text)
+    others = [c for c in corners(finder.scene.room) if c.name != mark.name]
+    best = min(found, key=lambda p: math.dist(p.position[:2], mark.centre))
+    if any(math.dist(best.position[:2], c.centre) < math.dist(best.position[:2], mark.centre) for c in others):
+        raise InputError(
+            f"there is no {noun.word} there: '{noun.text}'; there is {', '.join(map(finder.described, found))}"
+        )
+    return [best]
+
+
+def _told(
+    finder: Finder, phrase: NounPhrase, said: Sequence[Where], found: list[Placement], *, just: bool = False
+) -> list[Placement]:
+    """Those of several that are at all places that are said of them; `just` rules out what is only nearly there.
+
+    Raises:
+        InputError: none is.
+    """
     for where in said:
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
-            continue
-        if superlative := by_distance(where):
+        elif superlative := by_distance(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
-            continue
-        if fitting := _by_any(finder, phrase, where, found):
-            found = fitting
-            continue
-        found = _held(finder, phrase, where, found)
-    return finder.ids(phrase, picks=picks, among=found)
+        else:
+            found = _by_any(finder, phrase, where, found) or _held(finder, phrase, where, found, just=just)
+    return found
 
 
 def _by_other(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement] | None:
@@ -1003,8 +1055,10 @@ def _by_other(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[
     return None
 
 
-def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
-    """Those that are somewhere, or nearly so.
+def _held(
+    finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement], *, just: bool
+) -> list[Placement]:
+    """Those that are somewhere, or nearly so where that will do.
 
     Raises:
         InputError: none is.
@@ -1024,7 +1078,7 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
         there = dataclasses.replace(there, kind="at")
         held = [p for p in found if there.holds(finder.scene, p.id)]
         there = dataclasses.replace(there, kind="near")
-    if there.kind in NEARNESS and not there.negated and len(held) < (phrase.noun.count or 1):
+    if there.kind in NEARNESS and not (just or there.negated) and len(held) < (phrase.noun.count or 1):
         held = _nearly(finder.scene, phrase.noun, found, there)
     if not held:
         says = ", ".join(finder.described(p) for p in found)
@@ -1134,10 +1188,10 @@ def _nearly(scene: Scene, noun: Noun, found: Sequence[Placement], there: Bound) 
     if there.kind in _SIDE_OF and len(there.anchors) == 1 and there.anchors[0] in scene:
         found = [p for p in found if _is_on_side(scene[there.anchors[0]], p, there.kind)]
     several = noun.many and not noun.count
-    near = _nearest(scene, found, there.anchors, len(found) if several else noun.count or 1)
+    marks = _marks(scene, there)
+    near = _nearest(scene, found, marks, len(found) if several else noun.count or 1)
     if not several:
         return near
-    marks = [mark for name in there.anchors for mark in things(scene, name)]
     return [p for p in near if min(ground_gap(things(scene, p.id)[0], mark) for mark in marks) <= CLOSE / 2]
 
 
@@ -1153,7 +1207,17 @@ def _is_on_side(thing: Placement, placement: Placement, kind: str) -> bool:
     return ahead * x + left * y > 0.0 and (abs(ahead) >= abs(left)) == bool(x)
 
 
-def _nearest(scene: Scene, found: Sequence[Placement], anchors: Sequence[str], count: int) -> list[Placement]:
-    marks = [mark for name in anchors for mark in things(scene, name)]
+def _marks(scene: Scene, there: Bound) -> list[Landmark]:
+    """From what a distance to a place counts: of a corner it is that corner, not the walls that meet there."""
+    if there.kind == "in_corner" and there.anchors != ("corner",):
+        found = [
+            c for c in corners(scene.room) if {*there.anchors} <= {*c.name.removeprefix("corner of ").split(" and ")}
+        ]
+        if found:
+            return found
+    return [mark for name in there.anchors for mark in things(scene, name)]
+
+
+def _nearest(scene: Scene, found: Sequence[Placement], marks: Sequence[Landmark], count: int) -> list[Placement]:
     away = {p.id: min((ground_gap(things(scene, p.id)[0], mark) for mark in marks), default=CLOSE) for p in found}
     return [p for p in sorted(found, key=lambda p: away[p.id])[:count] if away[p.id] < CLOSE]
