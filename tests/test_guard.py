@@ -116,7 +116,7 @@ def test_the_end_of_the_parent_is_the_end_of_the_child(tmp_path: Path, number: i
         parent.stdout.readline()
         child = _wait_for_child(parent.pid)
         parent.send_signal(number)
-        parent.wait(20)
+        parent.wait(120)
         assert _gone(child)
 
 
