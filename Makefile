@@ -6,6 +6,9 @@ BIN := $(VENV)/bin
 PIP = $(BIN)/python -m pip --disable-pip-version-check install -c constraints.txt
 PROMPT ?= A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, a wardrobe, and a small desk with a chair by the window.
 
+# Bytecode is kept even where the shell says otherwise: the tests start hundreds of interpreters.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: demo test slow lint types bench pictures schemas constraints clean
 
 demo: $(VENV)/installed
