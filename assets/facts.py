@@ -87,8 +87,8 @@ class Facts:
         habits: where it usually stands, the best first: "<relation> <anchor>", where the anchor is a category, a
             "@group" or a place of the room, and "if <category>" may follow.
         senses: what else its word can mean: "<category> if <conditions>", the first that holds; conditions are
-            "attr:", "room:", "rel:", "to:", "from:", "behind_it:", "before_it:", "has:" with values joined by "|",
-            "many" and "few".
+            "attr:", "room:", "usual:" (what such a room holds), "rel:", "to:", "from:", "behind_it:", "before_it:",
+            "has:" with values joined by "|", "many" and "few".
         rooms: rooms that it is usual in: how many and where, "2 : on desk each", by the type of room.
         plenty: how many a bare plural means; 0 where the usual number will do.
         each: how many a bare plural means for each of several things that have them.

@@ -119,6 +119,8 @@ def singular(word: str) -> str:
         return _IRREGULAR[word]
     if word in _SINGULAR or len(word) < 4 or not word.endswith("s") or word.endswith(_NO_PLURAL):
         return word
+    if word.endswith("es") and word[:-2] in _SINGULAR:
+        return word[:-2]
     if word.endswith("ies"):
         return word[:-3] + "y"
     if word.endswith(("ches", "shes", "sses", "xes", "zes", "oes")):

@@ -121,6 +121,11 @@ def test_habits_tie_what_nobody_mentions() -> None:
     assert ties_of(plan, "picture_1") == [("above", "sofa_1")]
 
 
+def test_things_stand_on_what_carries_them_in_such_a_room() -> None:
+    plan = plan_of("A biology lab with two benches, microscopes and stools")
+    assert {ties_of(plan, f"microscope_{number}")[0][1] for number in (1, 2, 3)} == {"lab_bench_1", "lab_bench_2"}
+
+
 def test_a_cup_next_to_a_laptop_is_on_its_desk() -> None:
     plan = plan_of("A desk with a laptop, a coffee table, and a cup next to the laptop.")
     assert ties_of(plan, "cup_1") == [("on", "desk_1"), ("next_to", "laptop_1")]

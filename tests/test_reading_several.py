@@ -276,6 +276,17 @@ def test_verbs_that_no_list_has_stand_between_a_thing_and_its_place() -> None:
     assert {("in_corner", "kiln", ("corner",)), ("against_wall", "broom", ("wall",))} <= _ties(brief)
 
 
+def test_only_what_is_thin_leans() -> None:
+    brief = read_brief("A studio with an easel, a stool and canvases leaning against the wall.")
+    assert {subject for kind, subject, _ in _ties(brief) if kind == "against_wall"} == {"picture"}
+
+
+def test_racks_are_what_such_a_shop_has_and_its_mirror_is_the_only_one() -> None:
+    brief = read_brief("A clothing shop with racks, a mirror, two shelves and a counter")
+    assert _counts(brief) == {"clothes_rack": 4, "mirror": 1, "shelving_unit": 2, "counter": 1}
+    assert not [r.category for r in brief.requests if not r.asked and "mirror" in r.category]
+
+
 def test_what_carries_a_thing_in_the_middle_stands_there() -> None:
     assert ("in_centre", "pier", ("centre",)) in _ties(read_brief("In the middle a telescope sits on a concrete pier."))
 

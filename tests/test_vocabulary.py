@@ -121,6 +121,8 @@ def test_nothing_of_the_catalogue_is_called_abstract_or_a_person_by_its_only_wor
         ("gas", "gas"),
         ("crises", "crisis"),
         ("sheep", "sheep"),
+        ("canvases", "canvas"),
+        ("lenses", "lens"),
     ],
 )
 def test_the_likeliest_singular_is_told_by_spelling(word: str, expected: str) -> None:

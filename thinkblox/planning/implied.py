@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import Habit, load_habits
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.plan import Tie, carries
 from thinkblox.planning.asked import rows_for, share
 from thinkblox.planning.members import Member, Members
@@ -75,12 +76,20 @@ def _together(members: Members, waiting: list[Member]) -> list[Member]:
 
 def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
     """Its habits; chairs that are asked for are for the tables that are, before those that are only assumed."""
-    habits = load_habits().of(member.category)
+    habits = (*_usual_carriers(members, member), *load_habits().of(member.category))
     if not member.request.asked or not load_habits().is_in(member.category, "chairs"):
         return habits
     tables = {m.category for m in members.all if m.request.asked}
     named = tuple(h for h in habits if h.kind in ("at", "around") and not tables.isdisjoint(h.anchors))
     return (*named, *(habit for habit in habits if habit not in named))
+
+
+def _usual_carriers(members: Members, member: Member) -> tuple[Habit, ...]:
+    """What such a thing stands on in that type of room: a microscope on the benches of a laboratory."""
+    ties = [
+        tie for usual in room_type(members.room).usual if usual.category == member.category for tie in usual.relations
+    ]
+    return tuple(Habit("on", tuple(anchors.split("|"))) for kind, anchors, _ in ties if kind == "on")
 
 
 def _leave_walls(request: list[Member]) -> None:

@@ -51,11 +51,13 @@ class Members:
     """All objects of a brief, by request and by id.
 
     Attributes:
+        room: the type of room that they are for.
         due: relations that were asked for and that other ties serve, as one of the two is placed by another thing.
     """
 
     def __init__(self, brief: Brief) -> None:
         numbers: dict[str, int] = {}
+        self.room = brief.room_type
         self.by_request: dict[str, list[Member]] = {}
         self.by_id: dict[str, Member] = {}
         self.due: list[Due] = []

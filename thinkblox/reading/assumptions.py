@@ -333,9 +333,12 @@ def _is_sketched(draft: Draft) -> bool:
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     present = {noun for thing in draft.things for noun in (thing.noun, *_called(thing))}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
+    counted = {t.noun for t in draft.things if t.asked and t.count is not None and t.noun in things()}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
         there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
+        # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
+        there |= any(counts_as(usual.category, noun) for noun in counted)
         if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]

@@ -6,7 +6,7 @@ from msgspec import structs
 
 from thinkblox.assets import GENERAL_WORDS
 from thinkblox.brief import Brief
-from thinkblox.knowledge.rooms import kinds_of_room
+from thinkblox.knowledge.rooms import kinds_of_room, room_type
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
@@ -57,6 +57,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     facts = {
         "attr": {*thing.attributes, *(["hanging"] if hung else [])},
         "room": set(kinds_of_room(room)),
+        "usual": {usual.category for usual in room_type(room).usual},
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},

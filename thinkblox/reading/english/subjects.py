@@ -19,6 +19,8 @@ _NO_PLACE = ("with", "of", "for", "per", "as")
 """Prepositions that say nothing of where a thing is."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
+_THIN = 0.4
+"""So much at most of its longest side is the shortest of what can lean against something."""
 _BONDS = 20
 """Most bonds of a thing that tell what a pronoun after it means."""
 _BY_OWNER = (
@@ -406,7 +408,11 @@ class Subjects(Having):
         taken = self._taken(frame, thing)
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
-            alike = leaning or self._belongs(member.noun, group) or self._may_hang_there(member, where)
+            alike = (
+                (leaning and _is_thin(member))
+                or self._belongs(member.noun, group)
+                or self._may_hang_there(member, where)
+            )
             alike |= each and (is_small(member) or not member.many)
             alike |= on_thing and self._may_lie_there(member)
             if member is not thing and (member in taken or not alike or self._is_placed_itself(member)):
@@ -631,6 +637,12 @@ class Subjects(Having):
 def is_raised(noun: str, attributes: Sequence[str]) -> bool:
     """Whether it is said to be of such a kind that furniture stands under it."""
     return kind_of(noun).forms.get("over", "") in attributes
+
+
+def _is_thin(thing: Mention) -> bool:
+    """Whether it can lean against something: a broom and a ladder, but no stool."""
+    size = kind_of(thing.noun).size
+    return min(size) <= _THIN * max(size)
 
 
 def _may_lie(thing: Mention) -> bool:
