@@ -8,7 +8,7 @@ from thinkblox.errors import InputError
 from thinkblox.reading import read_brief
 from thinkblox.reading.english import read_english
 from thinkblox.reading.lexicon import load
-from thinkblox.reading.tokens import tokenise
+from thinkblox.reading.tokens import texts, tokenise
 
 WORDS = (
     "a the two each chair table lamp bed shelf window wall corner with without on in next to of for not no only it "
@@ -19,6 +19,11 @@ WORDS = (
 
 def _fates(prompt: str) -> dict[str, str]:
     return {word.text.lower(): word.fate for word in read_brief(prompt).account}
+
+
+@given(st.text("abm '-2²", max_size=20))
+def test_the_texts_of_a_phrase_are_those_of_its_tokens(phrase: str) -> None:
+    assert texts(phrase) == tuple(token.text for token in tokenise(phrase))
 
 
 def _covered(text: str) -> None:

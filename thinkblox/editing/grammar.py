@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 
-from thinkblox.reading.tokens import Token, tokenise
+from thinkblox.reading.tokens import Token, texts
 
 Phrases = Mapping[tuple[str, ...], str]
 """What each phrase means, by its folded words."""
@@ -19,11 +19,7 @@ def sections() -> Mapping[str, Phrases]:
 
 
 def _phrases(section: Mapping[str, str]) -> Phrases:
-    return {
-        tuple(token.text for token in tokenise(phrase.strip())): key
-        for key, phrases in section.items()
-        for phrase in phrases.split(",")
-    }
+    return {texts(phrase): key for key, phrases in section.items() for phrase in phrases.split(",")}
 
 
 def longest(section: str, tokens: Sequence[Token], start: int) -> tuple[str, int] | None:
@@ -48,7 +44,7 @@ def means(section: str, word: str) -> str:
 
 def is_filler(text: str) -> bool:
     """Whether a phrase asks for nothing."""
-    return tuple(token.text for token in tokenise(text)) in sections()["fillers"]
+    return texts(text) in sections()["fillers"]
 
 
 def verbs() -> tuple[str, ...]:

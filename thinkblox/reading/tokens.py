@@ -11,6 +11,7 @@ _TOKEN = re.compile(
     r"|(?P<word>[^\W\d_]+(?:['’`´][^\W\d_]+)*)"
     r"|(?P<mark>[^\w\s])"
 )
+_PLAIN = re.compile(r"[a-z ]*")
 _HYPHENS = "-‐‑"
 _JOINED = ("s", "t", "re", "ll", "ve", "m", "d")
 _LETTERS = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "×": "x", "ł": "l"})
@@ -70,6 +71,11 @@ def tokenise(text: str) -> list[Token]:
         elif tokens and tokens[-1].start + len(tokens[-1].shown) == start:
             tokens[-1] = replace(tokens[-1], glued=True)
     return tokens
+
+
+def texts(phrase: str) -> tuple[str, ...]:
+    """The texts of the tokens of a phrase; quick where it is plain words, as thousands in the tables are."""
+    return tuple(phrase.split() if _PLAIN.fullmatch(phrase) else (token.text for token in tokenise(phrase)))
 
 
 def _is_genitive(text: str, index: int, tokens: list[Token]) -> bool:

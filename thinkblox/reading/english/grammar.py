@@ -8,7 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-from thinkblox.reading.tokens import Token, tokenise
+from thinkblox.reading.tokens import Token, texts
 
 _ANY = re.compile(r"\{(\w+)\}")
 """In a phrase, any of the words of a list: "{denying} want"."""
@@ -76,7 +76,7 @@ def grammar() -> Grammar:
     data = tomllib.loads((Path(__file__).parent / "grammar.toml").read_text(encoding="utf-8"))
     made = Grammar(lists={name: frozenset(_split(words)) for name, words in data.pop("lists").items()})
     for sort, value, phrase in _phrases(data, made.lists):
-        key = tuple(token.text for token in tokenise(phrase))
+        key = texts(phrase)
         made.sorts.add(sort)
         made.begun.setdefault(key[0], set()).add(sort)
         made.phrases.setdefault(key, []).append((sort, value))
