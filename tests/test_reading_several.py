@@ -287,6 +287,42 @@ def test_racks_are_what_such_a_shop_has_and_its_mirror_is_the_only_one() -> None
     assert not [r.category for r in brief.requests if not r.asked and "mirror" in r.category]
 
 
+@pytest.mark.parametrize(
+    ("prompt", "long", "short"),
+    [
+        ("A dining table with a chair at each end", 0, 2),
+        ("A dining table with a bench on each long side and a chair at each end", 2, 2),
+        ("A table with one chair at each end and three on each long side", 6, 2),
+        ("A dining table with chairs along both long sides and one at each end", 4, 2),
+        ("A dining table for eight with chairs on both long sides", 8, 0),
+    ],
+)
+def test_each_end_of_a_table_is_no_end_of_the_room(prompt: str, long: int, short: int) -> None:
+    brief = read_brief(prompt)
+    counts = {r.key: r.count for r in brief.requests}
+    assert counts.pop("dining_table") == 1
+    placed = {
+        kind: [r.subject for r in brief.relations if r.kind == kind] for kind in {r.kind for r in brief.relations}
+    }
+    assert sum(counts[key] for key in placed.get("at_long_side", ())) == long
+    assert sum(counts[key] for key in placed.get("at_short_side", ())) == short
+    assert brief.unknown == ()
+
+
+def test_what_heads_a_list_is_a_thing_though_nobody_knows_it() -> None:
+    assert _counts(read_brief("a gizmo unit, a sofa and a lamp")) == {"gizmo_unit": 1, "sofa": 1, "floor_lamp": 1}
+
+
+@pytest.mark.parametrize("prompt", ["a large wall mounted TV opposite the sofa", "a large wall-mounted TV, and a sofa"])
+def test_wall_mounted_is_said_with_or_without_a_hyphen(prompt: str) -> None:
+    assert _counts(read_brief(prompt)) == {"wall_tv": 1, "sofa": 1}
+
+
+@pytest.mark.parametrize("prompt", ["a two-bedroom apartment with a sofa", "a 2-bedroom flat", "a two bedroom house"])
+def test_the_rooms_of_a_home_are_more_than_the_one_that_is_made(prompt: str) -> None:
+    assert read_brief(prompt).unknown == ("more than one room: 2 bedrooms left out",)
+
+
 def test_what_carries_a_thing_in_the_middle_stands_there() -> None:
     assert ("in_centre", "pier", ("centre",)) in _ties(read_brief("In the middle a telescope sits on a concrete pier."))
 

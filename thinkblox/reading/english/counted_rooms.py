@@ -39,15 +39,21 @@ def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _counted(room: Noun) -> Iterator[tuple[str, Noun]]:
     """The words of the name of a "four-bed ward" that say so, and the four beds."""
     for said in room.unshown if room.kind in ("room", "abstract", "place") else ():
-        number, _, what = said.partition("-")
-        count = int(number) if number.isdecimal() else _number(number)
+        count, what = parts_counted(said)
         name = name_of([what]) if what else None
         if name is not None and 0 < count <= _MOST:
-            noun = replace(room, kind="thing", value=name.category, text=f"{number} {what}", called=singular(what))
+            text = said.replace("-", " ", 1)
+            noun = replace(room, kind="thing", value=name.category, text=text, called=singular(what))
             yield (
                 said,
                 replace(noun, det="", count=count, plural=count > 1, unshown=[], attributes=[], styles=[], size=None),
             )
+
+
+def parts_counted(said: str) -> tuple[int, str]:
+    """How many of what a word counts: (2, "bedroom") for "two-bedroom"; 0 where it does not begin with a number."""
+    number, _, what = said.partition("-")
+    return (int(number) if number.isdecimal() else _number(number)), what
 
 
 def _number(word: str) -> int:

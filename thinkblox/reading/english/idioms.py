@@ -30,13 +30,15 @@ _DRINKS = (
     "bar",
 )
 """Where these are spoken of a pair of glasses is two to drink from."""
+_PARTS, _FIXED = ("wall", "ceiling"), ("mounted", "hung", "fixed")
+"""Words that a hyphen would join: "a wall mounted shelf"."""
 _LONGEST = 6
 """Most words of a name before "each"."""
 
 
 def plainly(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with the plain words for each turn of phrase; what was written stays what they show."""
-    return _rows(list(_plain(tokens)))
+    return _rows(_hyphened(list(_plain(tokens))))
 
 
 def _rows(tokens: list[Token]) -> list[Token]:
@@ -88,6 +90,15 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
         else:
             yield tokens[at]
         at += 1
+
+
+def _hyphened(tokens: list[Token]) -> list[Token]:
+    """Read "a wall mounted shelf" as "a wall-mounted shelf", unless it is followed by where on the wall."""
+    for at in range(len(tokens) - 2):
+        fixed = tokens[at].text in _PARTS and tokens[at + 1].text in _FIXED and tokens[at + 2].kind == "word"
+        if fixed and not grammar().at(tokens, at + 2, "prepositions"):
+            tokens[at] = replace(tokens[at], glued=True)
+    return tokens
 
 
 def _is_grid(tokens: Sequence[Token], at: int) -> bool:

@@ -372,7 +372,7 @@ class Numbers(Verbs):
         times = self._times_next()
         if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
             self.referents.settle(whole)
-        told_anew = times > 1 and count * times == whole.count
+        told_anew = times > 1 and count * times == whole.count and not self._is_at_other_sides(whole)
         walls = [b for b in self.draft.bonds_of(whole) if b.spread > 1 or b.anchors == ("long_wall",)]
         if told_anew and walls and (sides := self._next_noun(1)) is not None and sides.kind == "part":
             self._go_past(sides)
@@ -401,6 +401,13 @@ class Numbers(Verbs):
         else:
             part = self.referents.part(whole, min(total, whole.count or total))
         self._speak_of_part(part, noun)
+
+    def _is_at_other_sides(self, whole: Mention) -> bool:
+        """Whether those at the ends of a table are told of after those at its long sides, or the other way round."""
+        part = self._next_noun(1)
+        ends = part is not None and part.value in ("end", "short_side", "head")
+        placed = {bond.kind for bond in self.draft.bonds_of(whole)}
+        return part is not None and ("at_long_side" if ends else "at_short_side") in placed
 
     def _is_more(self, whole: Mention, noun: Noun | None) -> bool:
         """Whether a number adds to what was placed: "two chairs on each side and one at each end"."""

@@ -13,6 +13,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 
 _SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to", "in_front_of")
 """How seats stand to their tables."""
+_ALONG = 4
+"""So many sit along both long sides of a table, where nobody says how many."""
 _MOST_MEET = 20
 """More people than this do not all sit at one table."""
 
@@ -220,7 +222,8 @@ class Relating(Naming):
         bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             seated = subject.plural and self.habits.is_in(subject.noun, "seats")
-            subject.count = (self._places(meaning) if seated else 0) or 2
+            several = _ALONG if seated and meaning.kind == "at_long_side" else 2
+            subject.count = (self._places(meaning) if seated else 0) or several
         elif meaning.both and meaning.times == 1 and (subject.count or 0) > 1 and (subject.count or 0) % 2:
             # So many cannot be parted into two like halves: they are those of one side.
             subject.count = 2 * (subject.count or 0) if meaning.kind == "next_to" else subject.count

@@ -9,6 +9,7 @@ from thinkblox.assets.sizing import people
 from thinkblox.knowledge.rooms import kinds_of_room, room_type
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
+from thinkblox.reading.english.counted_rooms import parts_counted
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
@@ -57,6 +58,7 @@ class Rooms(Memberships):
             self.draft.unknown.append(" ".join([*noun.unshown, noun.text.lower().split()[-1]]))
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
+        self.draft.rooms += self._rooms_of_home(noun)
         looks = self._looks_of(noun, denied=noun.det == "no" or self.negating)
         looks = self.draft.shape_room(noun.value, looks)
         self.draft.room_attributes += [a for a in looks if not people((a,))]
@@ -80,6 +82,14 @@ class Rooms(Memberships):
             self._pass_whole()
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
+
+    def _rooms_of_home(self, noun: Noun) -> list[str]:
+        """The rooms that the name of a home counts: the two bedrooms of "a two-bedroom flat"."""
+        said = [parts_counted(word) for word in noun.unshown]
+        said += [(noun.count, noun.value)] if noun.count is not None and not noun.plural else []
+        known = load(ENGLISH).phrases
+        rooms = ((n, what) for n, what in said if any(e.sort == "room" for e in known.get((what,), ())))
+        return [f"{count} {what}s" for count, what in rooms if count > 1]
 
     def _looks_of(self, said: Noun | Adjective, *, denied: bool) -> list[str]:
         """What words tell of the looks of a thing or room: what is denied to be big is small, other looks are said."""
@@ -187,10 +197,16 @@ class Rooms(Memberships):
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
-        if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
+        marked = self._is_link(after, "mark") and not self._is_first_of_list(noun)
+        if not noun.named and (roomish or introduces or with_ or marked) and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
             return True
         return False
+
+    def _is_first_of_list(self, noun: Noun) -> bool:
+        """Whether another thing follows its comma: "a gizmo, a sofa and a lamp"; what has no article is a heading."""
+        other = self._next_noun(1) if self._is_link(self.peek(), "mark", "comma") else None
+        return noun.det == "a" and other is not None and other.kind == "thing" and bool(other.det or other.count)
 
     def _place_of_label(self, noun: Noun) -> Noun | None:
         """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""

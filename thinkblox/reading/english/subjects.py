@@ -205,7 +205,8 @@ class Subjects(Having):
             return False
         if noun.kind == "part":
             whole = where.whole is None or where.whole.kind in ("room", "place", "abstract")
-            return whole and noun.det != "my" and noun.value in ("front", "back", "end") and not noun.plural
+            own = noun.det in ("my", "each", "either") or noun.plural
+            return whole and not own and noun.value in ("front", "back", "end")
         return noun.kind in ("pronoun", "number") and "other" in noun.text.lower().split() and not noun.of_known
 
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
