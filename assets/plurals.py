@@ -32,6 +32,7 @@ _IRREGULAR: Mapping[str, str] = {
     "gateaux": "gateau",
     "bureaux": "bureau",
     "chateaux": "chateau",
+    "menus": "menu",
     "media": "medium",
     "criteria": "criterion",
     "matrices": "matrix",

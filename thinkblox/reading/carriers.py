@@ -55,12 +55,13 @@ def _may_carry(carrier: Mention | str, container: Mention) -> bool:
 def share_carriers(draft: Draft) -> None:
     """Put what is beside something on a table on that table: "on it a laptop, and a lamp to the left of the laptop"."""
     beside = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]
-    for bond in beside:
-        anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
+    between = [bond for bond in draft.bonds if bond.kind == "between" and not bond.negated]
+    for bond in [*(b for b in beside if len(b.anchors) == 1), *between]:
         lies = next((b for b in draft.bonds_of(bond.subject) if _lies(b) and not b.each), None)
-        free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor) and not bond.each
-        if free and isinstance(anchor, Mention) and lies is not None and lies.anchors[0] is not anchor:
-            draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
+        for anchor in bond.anchors if lies is not None and not bond.each else ():
+            free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor)
+            if free and isinstance(anchor, Mention) and lies is not None and lies.anchors[0] is not anchor:
+                draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
     while found := [(bond, lies) for bond in beside if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
         for bond, carrier in found:
             if not _is_placed(draft, bond.subject):

@@ -127,7 +127,7 @@ class Clauses(Audit):
 
     def _noun(self, noun: Noun) -> None:
         self._as_seat(noun)
-        if self._is_place_at_table(noun):
+        if self._is_place_at_table(noun) or self._is_cleared(noun):
             return
         self._as_shade(noun)
         self._as_cubicle(noun)

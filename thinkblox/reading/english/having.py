@@ -6,13 +6,15 @@ from thinkblox.assets.repaint import TOPPED
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
+_LAID = ("laid with", "set with")
+"""How a place at a table is said to have what lies before it: "every seat laid with a plate"."""
 _MADE_OF = ("consist", "made up", "composed", "compris")
 """How words begin that tell what something is made up of."""
 
@@ -52,6 +54,7 @@ class Having(Groups):
         thing = head.thing
         told = self._before(0)
         made = isinstance(told, Connector) and told.text.lower().startswith(_MADE_OF)
+        self._set_places(head, told)
         made |= thing is not None and last_word(thing) in grammar().lists["made_up"]
         group = thing is not None and (thing in self.groups.values() or (made and thing.many))
         group &= self.each or head.each
@@ -65,6 +68,12 @@ class Having(Groups):
         if thing is not None and noun is not None and noun.kind == "thing":
             self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _set_places(self, head: Node, told: Chunk | None) -> None:
+        """Take seats that are laid for places at their table."""
+        laid = isinstance(told, Connector) and told.text.lower() in _LAID
+        if laid and all(self.habits.is_in(t.noun, "seats", "chairs") for t in head.things):
+            self.places = head.things
 
     def _is_no_list(self, noun: Noun) -> bool:
         """Take what something has that is no thing: light, or the window of "the wall with the window"."""

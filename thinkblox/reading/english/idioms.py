@@ -10,6 +10,8 @@ _ENDS = ("back", "front", "rear", "far")
 """What says of corners which two they are."""
 
 
+_CORRECTING = ("hmm", "hm", "no", "actually", "well", "maybe", "perhaps", "but", "though")
+"""What may come before a number that is put right."""
 _AGAIN = ("and", "&", "upon")
 """What joins a noun to itself: "crates and crates"."""
 _BY = ("x", "by", "and")
@@ -38,7 +40,19 @@ _LONGEST = 6
 
 def plainly(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with the plain words for each turn of phrase; what was written stays what they show."""
-    return _rows(_hyphened(list(_plain(tokens))))
+    return _rows(_hyphened(list(_plain(list(_corrected(tokens))))))
+
+
+def _corrected(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Read "four is enough" as "make that four"."""
+    at = 0
+    while at < len(tokens):
+        length = _is_enough(tokens, at)
+        if length:
+            yield replace(tokens[at], text="make", shown="")
+            yield replace(tokens[at], text="that", shown="")
+        yield replace(tokens[at], shown=" ".join(t.shown for t in tokens[at : at + length])) if length else tokens[at]
+        at += length or 1
 
 
 def _rows(tokens: list[Token]) -> list[Token]:
@@ -99,6 +113,16 @@ def _hyphened(tokens: list[Token]) -> list[Token]:
         if fixed and not grammar().at(tokens, at + 2, "prepositions"):
             tokens[at] = replace(tokens[at], glued=True)
     return tokens
+
+
+def _is_enough(tokens: Sequence[Token], at: int) -> int:
+    """How many words "four is enough" has, which puts a number right that was told before; 0 where it does not come."""
+    begins = at > 0 and (tokens[at - 1].kind == "mark" or tokens[at - 1].text in _CORRECTING)
+    number = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    verb, said = ([token.text for token in tokens[at + 1 : at + 3]] + ["", ""])[:2]
+    ends = at + 3 >= len(tokens) or tokens[at + 3].kind == "mark"
+    enough = (verb in ("is", "are") and said in ("enough", "plenty")) or (verb == "will" and said == "do")
+    return 3 if begins and number and ends and enough else 0
 
 
 def _is_grid(tokens: Sequence[Token], at: int) -> bool:

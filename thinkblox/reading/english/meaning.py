@@ -61,6 +61,7 @@ class Meanings:
         self.place: Meaning | None = None
         self.anchor: tuple[str, Mention] | None = None
         self.sided: tuple[str, Mention] | None = None
+        self.ended: Mention | None = None
         self.room_side = ""
         self._sides_told = 0
         self.guessed = False
@@ -70,7 +71,11 @@ class Meanings:
         self._sides_told = self._sides_told + 1 if self.sided is not None else 0
         if self._sides_told > 1:
             self.sided, self._sides_told = None, 0
-        self.room_side = ""
+        self.ended, self.room_side = None, ""
+
+    def is_other_end(self, part: Noun) -> bool:
+        """Whether it is the other end of what the sentence told of one end of."""
+        return part.value == "end" and part.det == "other" and self.ended is not None
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
         """The relation that `where` gives to `subjects`; None when it says nothing about them.
@@ -357,6 +362,7 @@ class Meanings:
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        self.ended = whole if said.value == "end" else self.ended
         loose |= said.value == "end" and kind == "on"
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
@@ -391,6 +397,9 @@ class Meanings:
             return Meaning(f"{side}_of", (self.sided[1],), told=True)
         if said.value == "side" and said.det == "other" and where.whole is not None and where.whole.kind == "thing":
             return self._beyond_other(where.whole, subjects)
+        if self.is_other_end(said) and where.whole is None and self.ended is not None:
+            name = subjects[-1].noun if subjects else ""
+            return Meaning(relation_at("end", name, self.ended), (self.ended,), told=True)
         if said.value == "end" and said.det == "other" and (where.whole is None or where.whole.kind == "room"):
             wall = self.place.anchors[0] if self.place is not None and self.anchor is None else ""
             if isinstance(wall, str) and wall.endswith("wall"):

@@ -6,7 +6,7 @@ from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
@@ -41,6 +41,8 @@ class Naming(Several):
             self._new(replace(noun, count=noun.total, plural=True, ordinal=0, of_known=False, total=0))
         if noun.degree and noun.det in ("the", "my"):
             return self._by_degree(noun)
+        if some := self._some_of_unnamed(noun) or self._some_told(noun):
+            return [some]
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
             return [found] if found is not None else []
@@ -50,6 +52,30 @@ class Naming(Several):
         if noun.definite or (bare and self._is_repeated(noun)):
             return self._definite(noun)
         return self._one_and_other(noun)
+
+    def _some_of_unnamed(self, noun: Noun) -> Mention | None:
+        """Read "one of the nightstands", where none was named, as one of at least one more."""
+        counted = noun.of_known and noun.kind == "thing" and noun.named and noun.count and noun.least is None
+        other = noun.total or noun.ordinal or " those " in noun.text.lower()
+        if not counted or other or self.referents.named(noun) is not None:
+            return None
+        whole = self._new(replace(noun, count=None, plural=True, of_known=False, attributes=[], unshown=[]))
+        part = self.referents.part(whole, noun.count or 1)
+        part.attributes, part.unshown = [*noun.attributes], [*noun.unshown]
+        return part
+
+    def _some_told(self, noun: Noun) -> Mention | None:
+        """Read "three chairs are black", where there are more of them, as some of these."""
+        begins = not (self.frontier or self.clause.members) and not noun.det and noun.count and not noun.of_known
+        looks = self.peek(1) if self._is_link(self.peek(), "verbs", "be") else None
+        if not begins or not isinstance(looks, Adjective) or not looks.attributes or noun.attributes:
+            return None
+        whole = self.referents.named(noun)
+        several = whole is not None and last_word(whole) == noun.word
+        if whole is None or not several or self.referents.total(whole) <= (noun.count or 0):
+            return None
+        noun.of_known = True
+        return self.referents.part(whole, noun.count or 1)
 
     def _by_degree(self, noun: Noun) -> list[Mention]:
         """What "the larger table" is: one of several; of two that were told apart, the one said to be large."""

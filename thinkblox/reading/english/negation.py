@@ -223,7 +223,7 @@ class Negation(Positions):
             and self._only_on(after)
         ):
             return
-        if self._is_link(after, "prepositions", "except"):
+        if self._is_link(after, "prepositions", "except") or self._is_nothing_else():
             self.draft.empty = True
         elif isinstance(after, Connector) and self._is_link(after, "prepositions", "on"):
             noun = self._next_noun(1)
@@ -244,6 +244,19 @@ class Negation(Positions):
             return
         elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
+
+    def _is_nothing_else(self) -> bool:
+        """Go past "nothing else on it", which ends what is told of what was named."""
+        said, noun = self._before(0), self._next_noun(1) if self._is_link(self.peek(), "prepositions", "on") else None
+        other = isinstance(said, Connector) and said.text.lower() in ("nothing else", "nothing more")
+        if noun is None or not other or not (self.peek(2) is None or self._is_link(self.peek(2), "mark")):
+            return False
+        known = noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
+        if not known and noun.value != "it":
+            return False
+        self._spend(noun)
+        self._go_past(noun)
+        return True
 
     def _is_nothing_there(self, link: Connector) -> bool:
         """Read "nothing in the corner except a globe"; "nothing by the window" is not understood."""

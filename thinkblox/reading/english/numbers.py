@@ -40,7 +40,7 @@ class Numbers(Verbs):
             return
         if self._shares_out(noun) or self._goes_back(noun):
             return
-        whole = self._one_left(noun, [])
+        whole = self._of_owners(noun) or self._one_left(noun, [])
         if whole is not None:
             aside = self._list_of(whole)
             self._some(whole, noun)
@@ -395,7 +395,7 @@ class Numbers(Verbs):
             self.summed = whole
             self.summed_looks = ([*whole.attributes], [*whole.unshown], [*whole.states])
             part = whole
-        elif self.summed is whole and whole.count is not None and not self.referents.parted:
+        elif self.summed is whole and whole.count is not None and not self._is_parted(whole):
             part = self._copy(whole, total)
             part.attributes, part.unshown, part.states = ([*looks] for looks in self.summed_looks)
         else:
@@ -408,6 +408,10 @@ class Numbers(Verbs):
         ends = part is not None and part.value in ("end", "short_side", "head")
         placed = {bond.kind for bond in self.draft.bonds_of(whole)}
         return part is not None and ("at_long_side" if ends else "at_short_side") in placed
+
+    def _is_parted(self, whole: Mention) -> bool:
+        """Whether some of these, rather than of others, were told apart last."""
+        return self.referents.parted in (whole, *self.referents.family(whole))
 
     def _is_more(self, whole: Mention, noun: Noun | None) -> bool:
         """Whether a number adds to what was placed: "two chairs on each side and one at each end"."""

@@ -593,6 +593,8 @@ class PhraseReader(Heads):
         """Whether the name that was read ends before an unknown word."""
         if self._is_verb(at, units) or len(units.nouns) >= _NAMES:
             return True
+        if self.tokens[at].text in grammar().lists["uncluttered"] and not self._starts_noun(at + 1):
+            return True
         last = units.nouns[-1]
         return last.known is not None and not last.owner and not self._ends_name(at)
 

@@ -93,20 +93,13 @@ class Pronouns(Numbers):
             self.excluding = not following.definite
         elif noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
-        elif (whole := self._left_of(noun) or self._half_of(noun) or self._whole([])) is not None:
+        elif (whole := self._left_of(noun) or self._of_owners(noun) or self._whole([])) is not None:
             self._speak_of_some(whole, noun)
         elif noun.value != "half" and not (noun.text.lower() == "another" and self._repeat()):
             self._lose(noun.start, noun.end)
 
     def _left_of(self, noun: Noun) -> Mention | None:
         return self._left_over() if noun.value == "other" else None
-
-    def _half_of(self, noun: Noun) -> Mention | None:
-        """The benches of "each bench has two stools and a burner, and half of them carry a microscope"."""
-        head = self.frontier[0].thing if len(self.frontier) > 1 else None
-        filled = self._is_link(self.peek(), "fillers")
-        having = self._is_link(self.peek(int(filled)), "verbs", "have", "carry", "hold")
-        return head if noun.value == "half" and having and head is not None and head.many else None
 
     def _is_somebodys(self, noun: Noun) -> bool:
         """Read "two armchairs, hers and his", and "my desk is here, his is there": one more of the same."""

@@ -264,7 +264,7 @@ class Rooms(Memberships):
         """Go past where somebody is, which is where no thing is said to be: "the doctor sits behind the desk, ..."."""
         place = self._next_noun(2) if self._is_link(self.peek(1), "prepositions") else None
         single = noun.det in ("the", "my") and noun.count is None and self._is_link(self.peek(), "verbs", "stand")
-        if place is None or not single or place.kind != "thing" or not place.definite:
+        if place is None or not single or place.kind != "thing" or (place.many and not place.definite):
             return False
         self._go_past(place)
         self.frontier = [Node(list(self.anchors(place, [])[0]), None, known=True)]
@@ -296,9 +296,9 @@ class Rooms(Memberships):
         return (led or listed or self.existential) and bool(self.draft.things) and not doing
 
     def _place(self, noun: Noun) -> None:
-        if self._stays_free():
+        if length := self._stays_free():
             self._free(noun.value)
-            self.at += 2
+            self.at += length
             return
         if self.leaving or "empty" in (*noun.attributes, *noun.states) or "free" in noun.text.lower().split():
             self._free(noun.value)
@@ -330,11 +330,24 @@ class Rooms(Memberships):
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
                 self.front = [Awaited(Where("on", noun), Meaning("on", tuple(noun.value.split())))]
 
-    def _stays_free(self) -> bool:
-        """Whether "the middle should stay empty" comes."""
-        said = self.peek(1)
+    def _stays_free(self) -> int:
+        """How many chunks say that what was named is to be free: "(the middle) should stay empty", "is left free"."""
+        length = 3 if self._is_link(self.peek(1), "participles", "stand") else 2
+        said = self.peek(length - 1)
         free = isinstance(said, Adjective) and said.text.lower() in grammar().lists["uncluttered"]
-        return free and self._is_link(self.peek(), "verbs", "be", "leave")
+        return length if free and self._is_link(self.peek(), "verbs", "be", "leave") else 0
+
+    def _is_cleared(self, noun: Noun) -> bool:
+        """Read "keep the rest of the desk free": there is nothing on it but what is named."""
+        free = self.peek()
+        told = isinstance(free, Adjective) and free.text.lower() in grammar().lists["uncluttered"]
+        whole = replace(noun, kind="thing", text=noun.text.lower().removesuffix(" top"), attributes=[])
+        if not (self.leaving and told) or self.referents.named(replace(whole, value=whole.word)) is None:
+            return False
+        self._spend(noun)
+        self.at += 1
+        self.draft.empty = True
+        return True
 
     def _label_place(self, noun: Noun) -> None:
         """Read "Centre: round table"."""
@@ -417,8 +430,9 @@ class Rooms(Memberships):
         self.draft.free.append(place.split()[0])
 
     def _bare_part(self, noun: Noun) -> None:
-        if noun.value == "middle" and (self.leaving or self._stays_free()):
-            self.at += 0 if self.leaving else 2
+        length = self._stays_free()
+        if noun.value == "middle" and (self.leaving or length):
+            self.at += 0 if self.leaving else length
             self._free("centre")
             return
         wall = ROOM_SIDES.get(noun.value, "")

@@ -174,7 +174,8 @@ class SecondOpinion:
             return True
         told = [bond for bond in self._bonds(subjects) if not bond.implied]
         part = place.to if place.to is not None and place.to.kind == "part" else None
-        if part is not None and part.det == "other" and part.value == "end" and not _is_at_wall(told):
+        ends = _is_at_wall(told) or any(bond.kind == "at_short_side" for bond in told)
+        if part is not None and part.det == "other" and part.value == "end" and not ends:
             return False
         beside = (b for b in told if b.told and b.kind in _BESIDE and not is_small(b.subject))
         return bool(told) and not any(self._lies(anchor) for bond in beside for anchor in parts_of(bond))

@@ -10,6 +10,7 @@ from thinkblox.reading.english.boundaries import Boundaries
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.meaning import ROOM_SIDES
+from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
 
@@ -19,8 +20,9 @@ class Several(Boundaries):
 
     def _whole(self, besides: Sequence[Mention]) -> Mention | None:
         """The several things that a number now parts."""
-        if self.referents.parted is not None and self.referents.parted not in besides:
-            return self.referents.parted
+        parted = self.referents.parted
+        if parted is not None and parted not in besides and not self._is_at_others_of(parted):
+            return parted
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
@@ -35,6 +37,17 @@ class Several(Boundaries):
         )
         return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
 
+    def _is_at_others_of(self, thing: Mention) -> bool:
+        """Whether a number is told to be at others of these: "six on the left bench, two on the right bench"."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        named = noun is not None and noun.kind == "thing" and noun.word == last_word(thing)
+        named |= noun is not None and noun.kind == "number" and noun.side != "" and not noun.of_known
+        return named and any(thing in self.referents.family(a) for t in self.clause.members for a in self._anchors(t))
+
+    def _anchors(self, thing: Mention) -> list[Mention]:
+        """What a thing was said to be somewhere to."""
+        return [a for b in self.draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
+
     def _left_over(self) -> Mention | None:
         """What "the other" means that begins a sentence after one in which some of several were told of."""
         begins = not (self.clause.members or self.frontier or self.referents.parted)
@@ -48,6 +61,14 @@ class Several(Boundaries):
         kept = left is not None and left in self.draft.things and left not in besides and not self.referents.parted
         counted = self._counted_before(noun, besides) if not kept else None
         return counted or (left if kept else self._whole(besides))
+
+    def _of_owners(self, noun: Noun) -> Mention | None:
+        """The benches of "each bench has two stools and a burner, and half of them carry a microscope"."""
+        head = self.frontier[0].thing if len(self.frontier) > 1 else None
+        filled = self._is_link(self.peek(), "fillers")
+        having = self._is_link(self.peek(int(filled)), "verbs", "have", "carry", "hold")
+        some = noun.value == "half" or (noun.of_known and noun.text.lower().endswith((" them", " which")))
+        return head if some and having and head is not None and head.many else None
 
     def _counted_before(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
         """What was counted up to the one before: after "the first", "the second" is another of the same."""

@@ -17,6 +17,8 @@ from thinkblox.reading.english.state import LOOKAHEAD
 _PAIR = 2
 _NO_PLACE = ("with", "of", "for", "per", "as")
 """Prepositions that say nothing of where a thing is."""
+_ROOM_PARTS = ("front", "back", "end")
+"""Parts that rooms have too."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
 _THIN = 0.4
@@ -205,8 +207,8 @@ class Subjects(Having):
             return False
         if noun.kind == "part":
             whole = where.whole is None or where.whole.kind in ("room", "place", "abstract")
-            own = noun.det in ("my", "each", "either") or noun.plural
-            return whole and not own and noun.value in ("front", "back", "end")
+            of_thing = noun.det == "my" or noun.plural or noun.det in ("each", "either", "both")
+            return whole and not of_thing and not self.meanings.is_other_end(noun) and noun.value in _ROOM_PARTS
         return noun.kind in ("pronoun", "number") and "other" in noun.text.lower().split() and not noun.of_known
 
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
@@ -286,9 +288,11 @@ class Subjects(Having):
         lying = self.habits.is_in(noun.value, "small") and not self.habits.is_in(noun.value, "built_in")
         if held and (lying or self._is_within(noun, frame)):
             return False
+        if held_there and where.word == "between" and lying:
+            return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
-        beside = held_there and where.word in _BY_OWNER and (where.word == "between" or not lying)
+        beside = held_there and where.word in _BY_OWNER and not lying
         return beside or self.habits.is_in(thing.noun, "small", "seats", "lamps")
 
     def _is_over_wall_thing(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:

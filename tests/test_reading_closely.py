@@ -1,0 +1,124 @@
+"""Sentences that were misread in silence, or told as not understood though they are plain: each says what is there."""
+
+import pytest
+
+from tests.briefs import counted
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+Ties = set[tuple[str, str, tuple[str, ...]]]
+
+
+def ties(brief: Brief) -> Ties:
+    """Every relation as its kind, its subject and its anchors."""
+    return {(r.kind, r.subject, r.anchors) for r in brief.relations if not r.negated}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "wanted"),
+    [
+        (
+            "A table with two chairs on each side and one chair at each end.",
+            {"chair": 6},
+            {("at_long_side", "chair", ("dining_table",)), ("at_short_side", "chair-2", ("dining_table",))},
+        ),
+        (
+            "A low table, two armchairs at one end of the table and a sofa at the other end.",
+            {"armchair": 2, "sofa": 1},
+            {("at_short_side", "armchair", ("coffee_table",)), ("at_short_side", "sofa", ("coffee_table",))},
+        ),
+        (
+            "A round table, four chairs round it, and every seat laid with a plate and a fork.",
+            {"plate": 4, "fork": 4},
+            {("on", "plate", ("dining_table",)), ("on", "fork", ("dining_table",))},
+        ),
+        (
+            "In the middle of the table stands a bottle of wine between two candles.",
+            {"candle": 2},
+            {("on", "candle", ("dining_table",)), ("between", "bottle", ("candle",))},
+        ),
+        (
+            "A table with a vase between two candles.",
+            {"dining_table": 1, "candle": 2},
+            {("between", "vase", ("candle",)), ("on", "candle", ("dining_table",))},
+        ),
+        (
+            "An office with four desks. Each desk has a monitor and a mouse, and two of them have a lamp too.",
+            {"desk": 4, "mouse": 4, "desk_lamp": 2},
+            {("on", "mouse", ("desk", "desk-2")), ("on", "desk_lamp", ("desk",))},
+        ),
+        (
+            "A lamp stands on one of the nightstands and an alarm clock on the other.",
+            {"nightstand": 2},
+            {("on", "table_lamp", ("nightstand",)), ("on", "alarm_clock", ("nightstand-2",))},
+        ),
+        (
+            "A lab: two lab benches. Beakers: six on the left bench and three on the right bench.",
+            {"lab_bench": 2, "beaker": 9},
+            {("on", "beaker", ("lab_bench",)), ("on", "beaker-2", ("lab_bench-2",))},
+        ),
+        (
+            "The kitchen has an island with three stools. A kettle is on the counter.",
+            {"kitchen_island": 1},
+            {("on", "kettle", ("base_cabinet",))},
+        ),
+        (
+            "A waiting room with a reception desk. A scale for dogs stands next to the reception desk.",
+            {"bathroom_scale": 1},
+            {("next_to", "bathroom_scale", ("reception_desk",))},
+        ),
+        ("Bar: six bar stools line the wall. Hmm, four is enough.", {"bar_stool": 4}, set()),
+        ("A counter with menus on it.", {"menu": 3}, {("on", "menu", ("counter",))}),
+        ("A sofa by the fire.", {"fireplace": 1}, {("next_to", "sofa", ("fireplace",))}),
+    ],
+)
+def test_what_is_said_is_read(prompt: str, counts: dict[str, int], wanted: Ties) -> None:
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    found = counted(brief)
+    assert {name: found.get(name, 0) for name in counts} == counts
+    assert wanted <= ties(brief)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Four desks, each with a chair. Three chairs are black and one is red.",
+        "Four desks. Three of the chairs are black and one is red.",
+    ],
+)
+def test_some_that_look_alike_are_of_those_that_are_there(prompt: str) -> None:
+    looks = {r.attributes: r.count for r in read_brief(prompt).requests if r.category == "chair"}
+    assert looks == {("black",): 3, ("red",): 1}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A workbench with a vise. Nothing else on the workbench.",
+        "A table with a bowl. Keep the remaining table top free.",
+        "A desk with a lamp. Keep the rest of the desk free.",
+        "A coffee table with a bowl and nothing else on it.",
+    ],
+)
+def test_a_top_on_which_nothing_else_is_to_be_gets_nothing_else(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.empty
+    assert not brief.unknown
+
+
+def test_the_middle_of_the_room_that_is_left_free_is_no_thing() -> None:
+    for prompt in ("The middle of the room should be left free for dancing.", "Leave the middle of the room clear."):
+        brief = read_brief(prompt)
+        assert brief.free == ("centre",)
+        assert not any(r.asked for r in brief.requests)
+
+
+def test_where_somebody_sits_is_not_where_the_furniture_is() -> None:
+    brief = read_brief("My grandmother sits in a wheelchair, so her bedroom must have space to turn: put only the bed.")
+    assert counted(brief) == {"wheelchair": 1, "bed": 1}
+    assert not brief.relations
+
+
+def test_a_bed_is_not_called_after_its_article() -> None:
+    assert read_brief("The room has a single bed.").request("bed").called == ""
