@@ -172,8 +172,8 @@ def test_a_pattern_is_asked_of_the_thing(prompt: str) -> None:
 
 
 def test_a_stack_says_how_things_lie() -> None:
-    (books,) = (r for r in read_brief("A stack of three plates on a table.").requests if r.category == "plate")
-    assert (books.count, books.states) == (3, ("stacked",))
+    (bowls,) = (r for r in read_brief("A stack of three glass bowls on a table.").requests if r.category == "bowl")
+    assert (bowls.count, bowls.states) == (3, ("stacked",))
 
 
 @pytest.mark.parametrize(

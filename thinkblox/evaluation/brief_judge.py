@@ -1,10 +1,12 @@
 """Whether a brief asks for what its prompt demands: the reading alone, before anything is placed."""
 
 import tomllib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from typing import Any
+
+from msgspec import structs
 
 from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.brief import Brief, Relation
@@ -56,7 +58,7 @@ class _Reading:
         self._names = {r.key: names_of(r.category, r.phrase) for r in brief.requests}
         self._counts = {r.key: r.count for r in brief.requests}
         self._of = match(self._names, annotation, self._vocabulary)
-        self._relations = [r for r in brief.relations if not r.negated]
+        self._relations = _with_stacked([r for r in brief.relations if not r.negated], self._names)
         self._assumed = {r.key for r in brief.requests if not r.asked}
 
     def count(self, row: Count) -> JudgedRow:
@@ -165,6 +167,16 @@ class _Reading:
                 if words & set(plain(text).split()):
                     return f", {where} has {text!r}"
         return ""
+
+
+def _with_stacked(relations: list[Relation], names: Mapping[str, Sequence[str]]) -> list[Relation]:
+    """The relations, and for what lies on another of its kind those of the other: a stack is where its lowest is."""
+    found = list(relations)
+    for r in relations:
+        below = r.anchors[0] if r.kind == "on" and len(r.anchors) == 1 else ""
+        if below in names and names[below][0] == names[r.subject][0]:
+            found += [structs.replace(other, subject=r.subject) for other in found if other.subject == below]
+    return found
 
 
 def _relation_row(kind: Any, row: Row, about: str, met: bool | None, says: str) -> JudgedRow:

@@ -12,6 +12,7 @@ from thinkblox.evaluation.bodies import Body
 from thinkblox.evaluation.matching import is_kind_of, match, names_of
 from thinkblox.evaluation.relation_words import ObjectRule, element, element_rule
 from thinkblox.evaluation.relation_words import object_rules as rules_for
+from thinkblox.evaluation.resting import lies_on
 from thinkblox.evaluation.room_file import SceneRecord
 from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.tallies import JudgedRow
@@ -137,9 +138,23 @@ def _one_by_one(
     groups = 1
     for category, bodies in others.items():
         rulings = [(f"{b.id} -> {anchor.id}", _all_hold(rules, anchor, (b,), room)) for b in bodies]
+        rulings = _with_stacked(rulings, bodies) if tuple(rules) == ("on_top",) else rulings
         groups *= comb(sum(ruling.holds for _, ruling in rulings), wanted[category])
         seen += rulings
     return groups, seen
+
+
+def _with_stacked(rulings: Seen, bodies: Sequence[Body]) -> Seen:
+    """The rulings, in which what lies on another of its kind is where that one is, as in a stack."""
+    found = list(rulings)
+    there: list[Body] = []
+    for at in sorted(range(len(bodies)), key=lambda at: bodies[at].low):
+        body, (who, ruling) = bodies[at], found[at]
+        below = None if ruling.holds else next((b for b in there if lies_on(body, b).holds), None)
+        if below is not None:
+            found[at] = (who, Ruling(True, f"on {below.id}, which is"))
+        there += [body] if found[at][1].holds else []
+    return found
 
 
 def _round_about(

@@ -1,6 +1,7 @@
 """How large the objects of a plan are to be: as the prompt says, and counters as long as who sits at them needs."""
 
 from collections.abc import Sequence
+from math import ceil
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from thinkblox.assets.make import make_thing
 from thinkblox.assets.sizing import size_for, sizes_of
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.stacks import load_stacks
 from thinkblox.planning.loads import (
     height_over,
     in_it,
@@ -101,12 +103,24 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     bottoms = [s for s in inner if s.headroom is None]
     if not bottoms:
         return None if kind.large else _for_tiers(inner, [usual_size(held, members) for held in inside], usual, kind)
-    across = [width_of(held, members) for held in inside]
+    side = min(bottoms[0].size)
+    across = [width_of(held, members) for held in _beside_each_other(inside, members, side, usual[2])]
     needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
     bottom = min(bottoms[0].size) if bottoms[0].round or len(across) == 1 else float(np.prod(bottoms[0].size)) ** 0.5
     most = kind.size_range[1]
     share = min(needed / bottom, _WIDER, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
     return (round(share * usual[0], 3), round(share * usual[1], 3)) if share > 1.0 else None
+
+
+def _beside_each_other(held: Sequence[Member], members: Members, side: float, height: float) -> list[Member]:
+    """What lies on the bottom of a holder: of wide things that lie on each other there, as few as reach its height."""
+    found: list[Member] = []
+    for kind in dict.fromkeys(member.category for member in held):
+        alike = [member for member in held if member.category == kind]
+        piled = load_stacks().is_piled(kind) and width_of(alike[0], members) > side / 2
+        high = max(1, int(height / usual_size(alike[0], members)[2])) if piled else 1
+        found += alike[: ceil(len(alike) / high)]
+    return found
 
 
 def _for_boards(member: Member, members: Members, kind: Category) -> Vec2 | None:

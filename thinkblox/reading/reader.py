@@ -37,6 +37,7 @@ from thinkblox.reading.own_names import own_name
 from thinkblox.reading.room_looks import surface_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
+from thinkblox.reading.stacks import raise_stacks
 
 MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
@@ -108,6 +109,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
     spread_along_walls(draft)
+    raise_stacks(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft, counted if fill == "essentials" else ())

@@ -12,6 +12,7 @@ from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.english.state import LOOKAHEAD
+from thinkblox.reading.stacks import STACKED
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
@@ -97,13 +98,17 @@ class Clauses(Audit):
         if said is None or not named:
             return
         node = self.frontier[-1] if self.frontier else self.subject
-        on = self._is_link(self.peek(), "prepositions", "on", "on_top")
-        if words[said] == "stacked" and on and node is not None and not any(thing.many for thing in node.things):
+        after = self.peek()
+        if words[said] == STACKED and isinstance(after, Noun) and after.kind == "thing" and after.many:
+            after.states += [STACKED] if STACKED not in after.states else []
             return
-        if words[said] in _LOOSE or (words[said] == "stacked" and node is not None):
+        on = self._is_link(after, "prepositions", "on", "on_top")
+        if words[said] == STACKED and on and node is not None and not any(thing.many for thing in node.things):
+            return
+        if words[said] in _LOOSE or (words[said] == STACKED and node is not None):
             states = [] if words[said] in _LOOSE or node is None else [thing.states for thing in node.things]
             for told in states:
-                told += ["stacked"] if "stacked" not in told else []
+                told += [STACKED] if STACKED not in told else []
             return
         if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return

@@ -10,6 +10,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.corrections import Corrections
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.referents import is_small, last_word, parts_of
+from thinkblox.reading.stacks import STACKED
 
 _FURNITURE = ("seats", "chairs", "tables", "desks", "beds", "lounges", "storage", "shelves")
 """What stands on the floor."""
@@ -177,7 +178,8 @@ class Doubts(Corrections):
     def _is_lone_of_several(self, thing: Mention, anchors: list[Mention]) -> bool:
         """Whether one thing is said to be on, in or at several, and nothing tells which."""
         single = thing.count == 1 and not thing.per and not thing.vague and self.referents.total(thing) == 1
-        return single and len(anchors) == 1 and self.referents.total(anchors[0]) > 1
+        piled = STACKED in anchors[0].states
+        return single and not piled and len(anchors) == 1 and self.referents.total(anchors[0]) > 1
 
     def _has_carrier(self, thing: Mention) -> bool:
         return any(b.kind in ("on", "inside", "in_centre") for b in self.draft.bonds_of(thing))

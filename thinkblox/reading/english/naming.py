@@ -209,6 +209,8 @@ class Naming(Several):
         if places := self._group_or_seats(noun):
             return places, True
         known = [t for t in self._known(noun) or self._one_named(noun) if t not in besides or noun.plural]
+        before = self.referents.named(noun, besides) if not known and noun.det == "the" and besides else None
+        known += [before] if before is not None and before not in besides and before.noun == noun.value else []
         if known:
             for thing in known:
                 self.referents.speak(thing)

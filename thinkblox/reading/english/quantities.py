@@ -237,7 +237,7 @@ class Quantities(Words):
         inner = self._number(at + found.length)
         if found.value == "pile" and noun.vague and outer is None and self._bounds_follow(at + found.length):
             noun.count, noun.vague, noun.least = None, False, None
-        if inner is not None and noun.vague and not (noun.rows or noun.groups):
+        if inner is not None and noun.vague and (found.value == "pile" or not (noun.rows or noun.groups)):
             noun.count, noun.vague, noun.least = inner[0] * (outer or 1), False, None
             return found.length + inner[1]
         if inner is not None and noun.rows + noun.groups > 0:
@@ -265,7 +265,9 @@ class Quantities(Words):
             noun.called = "" if word.rstrip("s") in _KINDS else f"{singular(word)} of"
         else:
             noun.count, noun.vague, noun.least = (outer or 1) * 3, True, 1
-            noun.states += ["stacked"] if word.rstrip("s") in _STACKS else []
+            if singular(word) in _STACKS:
+                noun.states.append("stacked")
+                noun.groups, noun.group = (outer, singular(word)) if outer is not None and outer > 1 else (0, "")
 
     def _shaped_measure(self, noun: Noun, at: int) -> int:
         """Pass over the adjective of a measure: "two parallel rows of", "a long line of"."""
