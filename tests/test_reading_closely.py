@@ -122,3 +122,7 @@ def test_where_somebody_sits_is_not_where_the_furniture_is() -> None:
 
 def test_a_bed_is_not_called_after_its_article() -> None:
     assert read_brief("The room has a single bed.").request("bed").called == ""
+
+
+def test_an_age_counts_no_rooms() -> None:
+    assert not read_brief("my 15 yo's gaming bedroom, two screens and posters").unknown

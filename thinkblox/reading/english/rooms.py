@@ -1,6 +1,7 @@
 """What is said of the room: its kind, its people, its openings and places."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
@@ -86,10 +87,10 @@ class Rooms(Memberships):
     def _rooms_of_home(self, noun: Noun) -> list[str]:
         """The rooms that the name of a home counts: the two bedrooms of "a two-bedroom flat"."""
         said = [parts_counted(word) for word in noun.unshown]
-        said += [(noun.count, noun.value)] if noun.count is not None and not noun.plural else []
+        said += map(parts_counted, map("-".join, pairwise(noun.text.lower().split()))) if not noun.plural else ()
         known = load(ENGLISH).phrases
         rooms = ((n, what) for n, what in said if any(e.sort == "room" for e in known.get((what,), ())))
-        return [f"{count} {what}s" for count, what in rooms if count > 1]
+        return list(dict.fromkeys(f"{count} {what}s" for count, what in rooms if count > 1))
 
     def _looks_of(self, said: Noun | Adjective, *, denied: bool) -> list[str]:
         """What words tell of the looks of a thing or room: what is denied to be big is small, other looks are said."""
