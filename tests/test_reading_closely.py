@@ -67,6 +67,26 @@ def ties(brief: Brief) -> Ties:
             {"bathroom_scale": 1},
             {("next_to", "bathroom_scale", ("reception_desk",))},
         ),
+        (
+            "An island with three bar stools on one side of it and two on the other.",
+            {"bar_stool": 5},
+            {("in_front_of", "bar_stool", ("kitchen_island",)), ("behind", "bar_stool-2", ("kitchen_island",))},
+        ),
+        (
+            "A sofa facing the fireplace. Actually no, let it face the window, and put a chair facing the fire instead.",
+            {"sofa": 1, "chair": 1},
+            {("facing", "sofa", ("window",)), ("facing", "chair", ("fireplace",))},
+        ),
+        (
+            "A bench against the left wall. Actually, put it against the right wall.",
+            {"bench": 1},
+            {("against_wall", "bench", ("right_wall",))},
+        ),
+        (
+            "She (my daughter) eats at a small bistro table with two chairs near the window.",
+            {"bistro_table": 1, "chair": 2},
+            {("near", "bistro_table", ("window",)), ("around", "chair", ("bistro_table",))},
+        ),
         ("Bar: six bar stools line the wall. Hmm, four is enough.", {"bar_stool": 4}, set()),
         ("A counter with menus on it.", {"menu": 3}, {("on", "menu", ("counter",))}),
         ("A sofa by the fire.", {"fireplace": 1}, {("next_to", "sofa", ("fireplace",))}),
@@ -122,6 +142,25 @@ def test_where_somebody_sits_is_not_where_the_furniture_is() -> None:
 
 def test_a_bed_is_not_called_after_its_article() -> None:
     assert read_brief("The room has a single bed.").request("bed").called == ""
+
+
+def test_a_fruit_that_is_a_colour_is_one_where_some_are_told_apart_by_it() -> None:
+    brief = read_brief("Four cushions on the sofa, two of them orange, one blue.")
+    looks = {r.attributes: r.count for r in brief.requests if r.category == "pillow"}
+    assert looks == {("orange",): 2, ("blue",): 1, (): 1}
+    assert counted(brief) == {"pillow": 4, "sofa": 1}
+
+
+def test_what_was_moved_is_no_longer_where_it_was() -> None:
+    brief = read_brief("A bench against the left wall. Actually, put it against the right wall.")
+    assert ("against_wall", "bench", ("left_wall",)) not in ties(brief)
+
+
+def test_a_stool_that_stands_before_a_bench_is_its_seat() -> None:
+    brief = read_brief(
+        "Chemistry lab: a lab bench against the wall with three beakers, a lab stool in front of the bench."
+    )
+    assert "stool" not in counted(brief)
 
 
 def test_an_age_counts_no_rooms() -> None:

@@ -849,7 +849,7 @@ def test_shelves_along_the_walls_are_shared_out_over_several() -> None:
         ("A shelf with a kettle, a bowl and a jug, with the bowl between the other two.",
          ["1 bowl between kettle jug"]),
         ("A table with a bench on one side and two stools on the other.",
-         ["1 bench left_of dining_table", "2 stool right_of dining_table"]),
+         ["1 bench in_front_of dining_table", "2 stool behind dining_table"]),
         ("A plant on the left of the door, another on the right of it.",
          ["1 plant left_of door", "1 plant-2 right_of door"]),
         ("One boot under the bench, the other boot near the door.", ["1 boots under bench", "1 boots-2 near door"]),

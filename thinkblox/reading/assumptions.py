@@ -268,7 +268,8 @@ def _is_upright(thing: Mention) -> bool:
 def _is_high_enough(seat: Mention) -> bool:
     """Whether one can work at a desk on it: on no bean bag, pouf or bench."""
     habits = load_habits()
-    return habits.is_in(seat.noun, "seats") and habits.is_in(seat.noun, "drawn_aside", "chairs")
+    upright = habits.is_in(seat.noun, "drawn_aside", "chairs") or seat.noun.endswith("_stool")
+    return habits.is_in(seat.noun, "seats") and upright
 
 
 def _is_stool(thing: Mention) -> bool:

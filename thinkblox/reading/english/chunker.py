@@ -9,7 +9,7 @@ from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
-from thinkblox.reading.english.turns import correction_at
+from thinkblox.reading.english.turns import correction_at, moved_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -202,6 +202,9 @@ class Cutter:
         if not length or not self.made or self.at + length >= len(self.tokens):
             return None
         text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        if (moved := moved_at(self.tokens, self.at + length)) > 0:
+            text = " ".join(token.shown for token in self.tokens[self.at : self.at + length + moved])
+            return Connector("corrections", "move", self.at, self.at + length + moved, text)
         skips = grammar().at(self.tokens, self.at + length, "negations")
         if skips is not None and skips.value == "exclude":
             return Connector("fillers", "words", self.at, self.at + length, text)

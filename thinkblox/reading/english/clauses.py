@@ -269,12 +269,15 @@ class Clauses(Audit):
     def _as_shade(self, noun: Noun) -> None:
         """Take a colour that is a fruit too for one where it parts several: "three chairs, one orange and two grey"."""
         coloured = noun.kind == "thing" and noun.value == noun.material and noun.value in COLOURS
-        several = self.frontier[-1].thing if self.frontier else None
+        of_them = coloured and noun.of_known and " them " in noun.text.lower()
+        several = self._whole([]) if of_them else self.frontier[-1].thing if self.frontier else None
         if several is None or not coloured or noun.det or noun.count is None:
             return
         other = self._next_noun(1)
         parted = self.referents.parted is not None and self._is_link(self._before(), "joins", "and")
         if parted and noun.count == self.referents.total(self.referents.parted or several):
+            noun.kind, noun.value, noun.attributes = "number", "", [noun.material]
+        if of_them and noun.count <= self.referents.total(several) and not noun.text.endswith("s"):
             noun.kind, noun.value, noun.attributes = "number", "", [noun.material]
         if other is not None and other.kind in ("number", "pronoun") and noun.count < self.referents.total(several):
             noun.kind, noun.value, noun.attributes = "number", "", [noun.material]

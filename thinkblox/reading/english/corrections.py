@@ -8,6 +8,8 @@ from thinkblox.reading.english.referents import last_word
 
 _KINS = ("beds", "seats", "tables", "desks", "lamps", "storage", "shelves", "screens", "lounges", "plants", "covers")
 """Groups of things of which one can be put right as another."""
+_TURNED = ("facing", "facing_away", "opposite")
+"""Relations that say which way a thing is turned rather than where it stands."""
 _BACK = 3
 """How many things back a correction reaches."""
 
@@ -16,7 +18,10 @@ class Corrections(Pronouns):
     """Reads corrections."""
 
     def _correct(self, link: Connector) -> None:
-        """Say the number or the kind of the last thing anew; what it corrects has to be plain."""
+        """Say the number or the kind of the last thing anew, or where it is; what is corrected has to be plain."""
+        if link.value == "move":
+            self._move_again(link)
+            return
         noun = self._next_noun()
         if noun is None:
             self._lose(link.start, link.end)
@@ -37,6 +42,22 @@ class Corrections(Pronouns):
             self.frontier = [Node([thing], self.clause, known=True)]
         if noun.attributes or noun.unshown:
             thing.attributes, thing.unshown = [*noun.attributes], [*noun.unshown]
+
+    def _move_again(self, link: Connector) -> None:
+        """Forget where the last thing was said to be, or what it was said to face: that is told anew."""
+        recent = [t for t in (*self.referents.topics[-1:], *self.referents.spoken[::-1]) if t in self.draft.things]
+        thing = recent[0] if recent else None
+        facing = self._is_link(self.peek(), "verbs", "face", "face_away")
+        facing |= self._is_link(self.peek(), "prepositions", *_TURNED)
+        said = self.draft.bonds_of(thing) if thing is not None else []
+        old = [b for b in said if not (b.implied or b.negated) and (b.kind in _TURNED) == facing]
+        if thing is None or not old:
+            self._lose(link.start, link.end)
+            return
+        self.draft.bonds = [bond for bond in self.draft.bonds if bond not in old]
+        self.clause.members.append(thing)
+        self.subject, self.predicate = Node([thing], self.clause, known=True), True
+        self.frontier = [self.subject]
 
     def _corrected(self, noun: Noun) -> Mention | None:
         """The thing that a correction is about, unless it was parted, or others are like it."""

@@ -363,6 +363,7 @@ class Meanings:
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         self.ended = whole if said.value == "end" else self.ended
+        kind = self._long_side(kind, said, whole, subjects, noun)
         loose |= said.value == "end" and kind == "on"
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
@@ -383,6 +384,14 @@ class Meanings:
                 "on", meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=True
             )
         return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=loose)
+
+    def _long_side(self, kind: str, side: Noun, whole: Mention, subjects: list[Mention], noun: str) -> str:
+        """How seats on "one side" and "the other" of a table stand to it: these are its long ones."""
+        habits, name = load_habits(), subjects[-1].noun if subjects else noun
+        seated = habits.is_in(name, "seats", "chairs") and habits.is_in(whole.noun, *_TOPS)
+        if not seated or not side.text.lower().startswith(("one ", "the other")):
+            return kind
+        return {"left_of": "in_front_of", "right_of": "behind"}.get(kind, kind)
 
     def _around_all(self, sides: int, meaning: Meaning, subjects: list[Mention]) -> Meaning:
         """Read "benches on all four sides of the fountain": at least one at each."""

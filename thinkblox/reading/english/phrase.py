@@ -171,7 +171,8 @@ class PhraseReader(Heads):
         if grammar().at(self.tokens, at, "mutual") is not None:
             return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
-            if self._verb_follows(after) or self._adjective_ends(after):
+            counted = self.tokens[after - 1].text in ("side", "end") and self._number(after) is not None
+            if counted or self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):
                 outer = ("back", "front") if self._is_one(after) else ()

@@ -83,10 +83,12 @@ class SecondOpinion:
     def disagreements(self, chunks: Sequence[Chunk]) -> Iterator[Disagreement]:
         """Everything that can hardly be meant so."""
         corrected = any(is_link(chunk, "corrections") or is_link(chunk, "negations", "remove") for chunk in chunks)
+        moved = any(is_link(chunk, "corrections", "move") for chunk in chunks)
         for said in statements(chunks):
             places = list(positions(said))
             for place in places:
-                if question := self._about(place, places):
+                question = self._about(place, places)
+                if question and not (moved and question == "where?"):
                     start = place.of[0].start if place.of else place.link.start
                     yield Disagreement(start, place.last, range(place.link.start, place.link.end), question)
             held = list(possessions(said))
@@ -221,7 +223,8 @@ class SecondOpinion:
         named = place.to.value if place.to is not None and place.to.kind == "part" else ""
         sides = ("left", "right") if place.sides > 1 else (named,) if named in ("left", "right") else ()
         lying = place.sides == 1 and any(b.kind in _LYING for b in self._bonds(subjects))
-        return not lying and not all(any(side in word for word in words) for side in sides)
+        long = _is_one_of_two(place.to) and any(b.kind in ("in_front_of", "behind") for b in self._bonds(subjects))
+        return not (lying or long) and not all(any(side in word for word in words) for side in sides)
 
     def _is_odd_side(self, place: SaidPosition) -> bool:
         """Whether not as many are at one side of something as at the other."""
@@ -367,10 +370,15 @@ def _is_many(chunk: Chunk) -> bool:
 def _is_side_of_either(place: SaidPosition) -> bool:
     """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
     part = place.to if place.to is not None and place.to.kind == "part" and place.whole is None else None
-    if part is None or part.det != "the" or part.owner:
+    if part is None or part.det != "the" or part.owner or _is_one_of_two(part):
         return False
     loose = part.value == "side" and place.link.value in ("along", "at")
     return loose or (part.value in ("left", "right") and place.held and place.of[0].many)
+
+
+def _is_one_of_two(part: Noun | None) -> bool:
+    """Whether it is "one side" or "the other", which were taken for two that are across from each other."""
+    return part is not None and part.text.lower().startswith(("one ", "the other"))
 
 
 def _is_at_wall(bonds: Sequence[Bond]) -> bool:

@@ -7,6 +7,8 @@ from thinkblox.reading.tokens import Token
 
 _LONGEST_TURN = 40
 """Most tokens of a turn that goes on to the end of a clause."""
+_PLACING = ("let", "put", "place", "move", "have", "make", "set", "hang", "turn")
+"""Orders after which it is told where something is to be."""
 _STOPS = ".;!?)\n"
 _AFTER = ("and", "but", "or", "oh", "well", "then", "now", "please")
 
@@ -23,6 +25,20 @@ def correction_at(tokens: Sequence[Token], at: int) -> int:
         if end < len(tokens) and tokens[end].text in (",", ":"):
             end += 1
     return end - at if end > at and not _is_placing(tokens, at) else 0
+
+
+def moved_at(tokens: Sequence[Token], at: int) -> int:
+    """How many tokens "no, let it" has after a correction, where it is told where that is to be; 0 for none."""
+    start, end = at, at
+    while end < len(tokens) and tokens[end].text in ("no", "nope", ","):
+        end += 1
+    words = [token.text for token in tokens[end : end + 2]]
+    if len(words) < len(("let", "it")) or words[0] not in _PLACING or words[1] not in ("it", "them"):
+        return 0
+    end += len(words)
+    said = grammar().at(tokens, end, "verbs", "prepositions") if end < len(tokens) else None
+    placed = said is not None and (said.sort == "prepositions" or said.value in ("face", "face_away", "stand", "hang"))
+    return end - start if placed else 0
 
 
 def turn_at(tokens: Sequence[Token], at: int) -> int:

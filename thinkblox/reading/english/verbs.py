@@ -1,6 +1,6 @@
 """What verbs and participles say of their subjects."""
 
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.prepositions import Prepositions
@@ -52,6 +52,15 @@ class Verbs(Prepositions):
         if named and isinstance(noun, Noun) and self.clause.members and self.referents.named(noun) is not None:
             self._lose(link.start, noun.end)
         self.frontier, self.subject, self.pending = [], None, None
+        where = self._next_noun(1) if self._is_link(noun, "prepositions", "at", "on", "in", "by") else None
+        if where is not None and where.kind == "thing" and not where.definite and self._is_somebody(self._before()):
+            self.at += 1
+
+    def _is_somebody(self, who: Chunk | None) -> bool:
+        """Whether it is a person, who does something where a thing is: "she eats at a small table"."""
+        who = self._before(2) if self._is_link(who, "mark", "close") else who
+        spoken = isinstance(who, Connector) and who.text.lower() in grammar().lists["speakers"]
+        return spoken or (isinstance(who, Noun) and who.kind == "people")
 
     def _is_parting(self, link: Connector) -> bool:
         """Whether it says that something stands between the halves of the room."""
