@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.source import AssetSource
 from thinkblox.dressing import bare_shelves, dress, dresses_nothing, undress
 from thinkblox.episode import Episode, Round
@@ -281,19 +282,36 @@ class _Attempt:
 def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
 
-    What every such room has, and what something else is to stand by, stays wherever it is.
+    What every such room has, and what something else is to stand by, stays wherever it is; not so what hangs over a
+    run, which may be over any unit of that.
     """
     if not target.asked and dresses_nothing(scene, target):
         return "there was no room left for it at a window"
     tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
     needed = any(target.id in other.depends_on for other in plan.targets)
-    if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
+    over = tie is not None and _is_over_run(plan, tie)
+    essential = is_essential(target.category, plan.brief.room_type) and not over
+    if target.asked or tie is None or needed or essential:
+        return ""
+    if over and any(measure(scene, tie.kind, target.id, (id,)).holds for id in _alike(plan, tie) if id in scene):
         return ""
     if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
     if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
         return ""
     return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
+
+
+def _is_over_run(plan: Plan, tie: Tie) -> bool:
+    """Whether it hangs over a part of what is built in one line, or over what is let into that."""
+    kinds = [facts_of(t.category) for t in plan.targets if t.id in tie.anchors]
+    return tie.kind == "above" and bool(kinds) and all(k.is_in("built_in", "built_in_line") for k in kinds)
+
+
+def _alike(plan: Plan, tie: Tie) -> list[str]:
+    """The anchors of a tie and the others of their requests."""
+    requests = {t.request for t in plan.targets if t.id in tie.anchors}
+    return [t.id for t in plan.targets if t.request in requests]
 
 
 def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bool:

@@ -26,6 +26,7 @@ from thinkblox.planning import (
     relieved,
     reordered,
     varied,
+    with_run,
     with_sizes,
     with_surfaces,
 )
@@ -132,7 +133,8 @@ def generate_room(
 
     def furnished(floor: Room, effort: Effort, before: Sequence[Furnished], less: Brief | None = None) -> Furnished:
         floor = with_surfaces(floor, brief, seed)
-        plan = _made("planner", planner.plan(less or brief, floor), Plan)
+        meant = with_run(less or brief, floor, seed) if assumes else less or brief
+        plan = _made("planner", planner.plan(meant, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not before:
             on_plan(plan)

@@ -197,12 +197,22 @@ def _runs(members: Members) -> list[list[str]]:
 def _join_runs(members: Members) -> None:
     """What is only assumed to stand next to a part of its run stands anywhere in it, as the run is best lined up."""
     for run in _runs(members):
+        _wait_for(members, run)
         for member in (members.by_id[id] for id in run):
             kept = [
                 tie for tie in member.ties if tie.asked or tie.kind != "next_to" or not set(run).issuperset(tie.anchors)
             ]
             if len(kept) < len(member.ties):
                 member.ties[:] = kept or [Tie(kind="against_wall", anchors=("wall",), asked=False)]
+
+
+def _wait_for(members: Members, run: Sequence[str]) -> None:
+    """What stands before a part of a run comes when all of that stands: it is before its middle."""
+    parts = [members.by_id[id] for id in run]
+    for member in members.all:
+        before = any(tie.kind == "in_front_of" and not set(run).isdisjoint(tie.anchors) for tie in member.ties)
+        if before and member.mount == "floor" and not any(members.depends(part, member) for part in parts):
+            member.waits.update(run)
 
 
 def _is_dependent(member: Member) -> bool:

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import across_need, needed_area, run_length, wall_needs
+from thinkblox.planning.space import across_need, depth_need, needed_area, run_length, wall_needs
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
@@ -72,9 +72,11 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
-    if (side := room_type(brief.room_type).across) is not None:
+    kind = room_type(brief.room_type)
+    if (side := kind.across) is not None:
         narrow = round(float(rng.uniform(*side)), digits)
-        long = area / narrow if brief.area is not None else run_length(brief) / 2 + _TO_RUN
+        run = run_length(brief) / 2 + _TO_RUN
+        long = area / narrow if brief.area is not None or (kind.run == "sides" and area > run * narrow) else run
         return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
     width = round(min(MAX_SIDE, area / depth), digits)
@@ -84,7 +86,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     across = across_need(brief)
     if across > width:
         depth = max(depth, round(_NOT_NARROWER * across, 1))
-    return max(width, least_width, across), max(depth, least_depth)
+    deep = depth_need(brief)
+    return max(width, least_width, across, deep), max(depth, least_depth, deep)
 
 
 def _spread(area: float) -> float:
