@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_OVER_BONUS = 2.0
+"""What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
 _COMPANION_BONUS = 0.5
 """What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
 _LOW, _WIDE = 0.6, 1.2
@@ -261,6 +263,7 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, com
     weight += _NAMED_PLACE_BONUS * wall
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
+    weight += _OVER_BONUS * any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     weight += _COMPANION_BONUS * (companion is not None)
     late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)

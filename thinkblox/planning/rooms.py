@@ -23,6 +23,8 @@ _TOLD, _FITTED = 5, 1.2
 """Of how many kinds of things that are named a room is a fitting one, and by how much larger it may be."""
 _CLOSE = 1.1
 """By how much one that is said to be small may."""
+_CLOSET = 4.0
+"""A type of room that is usually smaller than this is no larger than it must be [m2]."""
 _SMALL, _LARGE = 20.0, 40.0
 """Floors of rooms that vary most, and from which they vary as halls do [m2]."""
 _LEAST_SIDE = 1.8
@@ -68,6 +70,7 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     least = needed_area(brief) * _scale(brief)
     told = len({request.category for request in brief.requests if request.asked}) >= _TOLD
     spread = min(_spread(least), _FITTED if told else _SPREAD) if _CLOSE_ROOMS.isdisjoint(brief.style) else _CLOSE
+    spread = min(spread, _CLOSE) if room_type(brief.room_type).area < _CLOSET else spread
     area = brief.area if brief.area is not None else least * rng.uniform(1.0, spread)
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2

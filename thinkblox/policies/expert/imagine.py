@@ -75,8 +75,8 @@ UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
 MIDDLE_OF_RUN = -2.5
 """Cost of standing before the middle of a run, besides what it costs not to be before the very part that is named."""
-OUT_OF_RUN = 8.0
-"""Cost of a place that breaks the run that is built in one line."""
+OUT_OF_RUN = 20.0
+"""Cost of a place that breaks the run that is built in one line, or is not over it."""
 _TURNED = ("facing", "facing_away")
 """Relations that say how a thing is turned, not where it stands."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
@@ -118,6 +118,7 @@ def from_ties(situation: Situation) -> list[Idea]:
     paired = [] if lined or seated_round else list(partners.partner_ideas(situation))
     lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
     lined_up += list(uppers.upper_ideas(situation)) if uppers.hangs_over_run(situation) else []
+    lined_up += list(uppers.hood_ideas(situation))
     dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
     paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]

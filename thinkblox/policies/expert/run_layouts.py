@@ -46,6 +46,8 @@ AWAY_FROM_CORNER, UNFILLED, UNUSUAL = 0.25, 0.4, 1.0
 cabinets are wider or narrower than usual."""
 UNEVEN = 0.8
 """Cost per metre by which the parts of a run differ that is to be on two walls."""
+MAKESHIFT = 8
+"""Ways to line up a run that are tried on two walls where it is better along one."""
 PARTED_WORKTOP = 3.0
 """Cost per metre of a gap between two corners that should be filled."""
 BETWEEN_ARMS, WIDE_APART = 1.1, 0.5
@@ -84,7 +86,7 @@ def layouts(room: Room, members: Sequence[RunMember], meant: str) -> Iterator[Ru
     depth = max((m.size[0] for m in members if not m.corner), default=0.6) + WALL_GAP
     height = max((m.size[2] for m in low), default=TALL)
     free = [stretches(room, number, depth=depth, height=height) for number in range(len(room.walls))]
-    for (order, dear), (first, last) in product(orders(low), ends(tall)):
+    for rank, ((order, dear), (first, last)) in enumerate(product(orders(low), ends(tall))):
         line = [*first, *order, *last]
         dear += ways_cost(line)
         if corners:
@@ -93,7 +95,7 @@ def layouts(room: Room, members: Sequence[RunMember], meant: str) -> Iterator[Ru
             continue
         for layout in _straight(free, line):
             yield RunLayout(layout.slots, layout.cost + dear + (NOT_AS_MEANT if meant else 0.0))
-        for layout in _on_two(room, free, line, meant):
+        for layout in _on_two(room, free, line, meant) if meant or rank < MAKESHIFT else ():
             yield RunLayout(layout.slots, layout.cost + dear)
 
 

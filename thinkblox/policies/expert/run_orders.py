@@ -86,11 +86,14 @@ def orders(low: Line) -> list[tuple[Line, float]]:
 
 
 def order_cost(line: Line) -> float:
-    """What is wrong with a line: a hob by the sink or without worktop, appliances in a heap, a dishwasher far off."""
-    cost = 0.0
+    """What is wrong with a line: a hob by the sink or without worktop, appliances in a heap, a dishwasher far off.
+
+    Where nobody cooks, machines stand together: a washing machine and a dryer.
+    """
+    cost, cooks = 0.0, any(member.hot for member in line)
     for one, other in pairwise(line):
         cost += HOT_BY_WET * ((one.hot and other.wet) or (one.wet and other.hot))
-        cost += APPLIANCES * (not one.cabinet and not other.cabinet)
+        cost += APPLIANCES * ((not one.cabinet and not other.cabinet) if cooks else one.cabinet != other.cabinet)
         cost -= WASHED_UP * (
             (one.wet and not (other.cabinet or other.hot)) or (other.wet and not (one.cabinet or one.hot))
         )
@@ -99,7 +102,7 @@ def order_cost(line: Line) -> float:
         near = [line[k] for k in (n - 1, n + 1) if 0 <= k < len(line)]
         cost += NO_WORKTOP * member.hot * (2 - sum(m.is_free for m in near))
         cost += NO_WORKTOP / 2 * member.wet * (not any(m.is_free for m in near))
-        cost += AT_END * (len(near) < 2 and not member.cabinet and not member.is_tall)
+        cost += AT_END * (cooks and len(near) < 2 and not member.cabinet and not member.is_tall)
         beside = {m.id for m in near}
         cost += PARTED * len((member.beside & {m.id for m in line}) - beside)
     return cost

@@ -75,6 +75,26 @@ def upper_ideas(situation: Situation) -> Iterator[Idea]:
             yield idea if abs(size[1] - situation.size[1]) > 0.002 else replace(idea, size=None)
 
 
+def hood_ideas(situation: Situation) -> Iterator[Idea]:
+    """Over the unit on which one cooks, no wider than that."""
+    if situation.asset.mount != "wall" or any(situation.target.size):
+        return
+    above = (anchor for tie in situation.target.ties if tie.kind == "above" for anchor in situation.placed(tie.anchors))
+    for hot in (anchor for anchor in above if facts_of(anchor.category).is_in("clear_above")):
+        run = {p.id: p for p in _run(situation)}
+        unit = run.get(hot.support, run.get(hot.id))
+        for wall in situation.room.walls if unit is not None else ():
+            if unit is None or turn_between(unit.yaw, wall.yaw) > 1.0:
+                continue
+            along, _ = wall.coordinates((unit.position[0], unit.position[1]))
+            x, y, high = situation.size
+            size = (x, round(min(y, unit.size[1] - BETWEEN), 3), high)
+            z = min(hot.top + situation.facts.hanging.above, situation.room.height - high - 0.02)
+            why = f"it belongs over {hot.id}"
+            idea = hang(situation, wall, along, z, why=why, cost=IN_LINE, size=None if size[1] == y else size)
+            yield idea
+
+
 def _places(situation: Situation, edges: list[float], share: int) -> list[tuple[float, float]]:
     """Where along a stretch the target may hang: its share of it from either end, or its own width there [m]."""
     start, end = edges[0], edges[-1]
