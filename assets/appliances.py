@@ -265,7 +265,7 @@ def oven(spec: Spec) -> Build:
             box(
                 spec.style.metal, (front + 0.018, x / 2 - 0.004), around(0, 0.3 * y), around((plinth + low) / 2, 0.014)
             ),
-            box(spec.style.wood, (-x / 2, front + 0.02), (-y / 2, y / 2), (high, z)),
+            box(spec.style.worktop, (-x / 2, x / 2), (-y / 2, y / 2), (high, z)),
         ]
     _top(build, spec, (-x / 2, front))
     return build
@@ -276,15 +276,20 @@ _BUILT_IN, _UNIT_TOP, _UNIT = 0.6, 0.034, 0.74
 
 
 def dishwasher(spec: Spec) -> Build:
-    """Return a dishwasher whose front folds down."""
-    x, y, z = spec.size
-    finish, front = spec.main(spec.choice((WHITE_METAL, STEEL))), x / 2 - 0.042
+    """Return a dishwasher whose front folds down; where it is as high as a worktop, with one on top."""
+    x, y, high = spec.size
+    finish, front = spec.main(spec.choice((WHITE_METAL, STEEL))), x / 2 - 0.046
+    built_in = high >= _UNIT
+    z = high - _UNIT_TOP if built_in else high
     build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.1))
+    if built_in:
+        build.body.append(box(spec.style.worktop, (-x / 2, x / 2), (-y / 2, y / 2), (z, high)))
+    edge = z - 0.004 if built_in else z - 0.035
     face = face_of(
-        "door", (front + 0.002, x / 2), (-y / 2 + 0.002, y / 2 - 0.002), (0.09, z - 0.035), finish, GREY_METAL
+        "door", (front + 0.002, x / 2 - 0.004), (-y / 2 + 0.002, y / 2 - 0.002), (0.09, edge), finish, GREY_METAL
     )
     build.moving.append(flap(face))
-    _top(build, spec, (-x / 2, front))
+    _top(build, spec, (-x / 2, x / 2 if built_in else front))
     rack, inner = (-x / 2 + WALL, front - 0.03), (-y / 2 + WALL, y / 2 - WALL)
     for level, above in ((0.2, 0.5 * z), (0.5 * z, z - WALL)):
         build.body.append(box(STEEL, rack, inner, (level, level + 0.012)))

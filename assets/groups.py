@@ -48,6 +48,8 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "lined_up": "stands in rows with seats behind",
         "attended": "seats in rows look at it where there is no board",
         "built_in_line": "is built in one line along a wall with the others of its run",
+        "fills_corner": "fills the corner that such a run goes round",
+        "over_run": "hangs side by side with its like over such a run",
         "visits": "those sit on it who are received across a desk",
         "visited": "people are received across it by who works at it",
         "worked_at": "somebody sits at its front to work, with nobody to serve across it",

@@ -20,6 +20,7 @@ BEECH = wood((0.85, 0.71, 0.54))
 ASH = wood((0.80, 0.70, 0.56))
 TEAK = wood((0.56, 0.40, 0.28))
 EBONY = wood((0.16, 0.13, 0.12))
+BUTCHER_BLOCK = wood((0.72, 0.60, 0.44))
 PINE = wood((0.87, 0.74, 0.54))
 WHITE_PAINT = wood((0.93, 0.92, 0.89))
 CREAM_PAINT = wood((0.91, 0.87, 0.79))
@@ -191,6 +192,7 @@ class Style:
         accent: of small textiles.
         metal: of handles, legs and lamps.
         glaze: of pots and vases.
+        worktop: of all the units of a kitchen.
     """
 
     name: str
@@ -200,15 +202,16 @@ class Style:
     accent: Finish
     metal: Finish
     glaze: Finish
+    worktop: Finish
 
 
 STYLES = (
-    Style("nordic", OAK, WHITE_PAINT, STONE_WOOL, SAGE_WOOL, IRON, STONEWARE),
-    Style("midcentury", WALNUT, WALNUT, OLIVE_WOOL, MUSTARD_WOOL, BRASS, OCHRE_GLAZE),
-    Style("coastal", ASH, CREAM_PAINT, LINEN, DUSTY_BLUE_WOOL, STEEL, TEAL_GLAZE),
-    Style("warm", TEAK, CREAM_PAINT, LINEN, TERRACOTTA_WOOL, BRASS, CLAY),
-    Style("studio", BEECH, SAGE_PAINT, GREY_WOOL, BLUSH_WOOL, IRON, PORCELAIN),
-    Style("classic", WALNUT, CREAM_PAINT, NAVY_WOOL, LINEN, BRASS, INK_GLAZE),
+    Style("nordic", OAK, WHITE_PAINT, STONE_WOOL, SAGE_WOOL, IRON, STONEWARE, BUTCHER_BLOCK),
+    Style("midcentury", WALNUT, WALNUT, OLIVE_WOOL, MUSTARD_WOOL, BRASS, OCHRE_GLAZE, MARBLE),
+    Style("coastal", ASH, CREAM_PAINT, LINEN, DUSTY_BLUE_WOOL, STEEL, TEAL_GLAZE, SLATE),
+    Style("warm", TEAK, CREAM_PAINT, LINEN, TERRACOTTA_WOOL, BRASS, CLAY, BUTCHER_BLOCK),
+    Style("studio", BEECH, SAGE_PAINT, GREY_WOOL, BLUSH_WOOL, IRON, PORCELAIN, MARBLE),
+    Style("classic", WALNUT, CREAM_PAINT, NAVY_WOOL, LINEN, BRASS, INK_GLAZE, MARBLE),
 )
 
 

@@ -1,13 +1,13 @@
 """Cabinets of every room, as rows of cells for the carcass generator."""
 
-from math import cos, pi, sin
+from math import ceil, cos, pi, sin
 
 from msgspec import structs
 
-from thinkblox.assets.carcasses import BOARD, GAP, Cell, cabinet, door, face_of
+from thinkblox.assets.carcasses import BOARD, GAP, HANDLE, Cell, cabinet, door, face_of
 from thinkblox.assets.goods import is_filled, put_goods
 from thinkblox.assets.open_forms import lidded
-from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
+from thinkblox.assets.palette import GREY_METAL, IRON, SPINES, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
 from thinkblox.assets.shapes import around, box, cushion, cylinder, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
@@ -18,6 +18,8 @@ _AT_HAND = 1.1
 """Height of the board on which things stand beside the books [m]."""
 _SHOWN = 0.52
 """Share of that board that books take."""
+_RUN_DEPTH, _WIDEST_DOOR = 0.62, 0.62
+"""Depth of the units beside one for a corner, and width of the doors of those on the wall at most [m]."""
 _BOOK = 0.05
 """Where less is left of a board than a book is thick, nothing stands there [m]."""
 _CHEST_RIM = 0.55
@@ -190,17 +192,54 @@ def locker(spec: Spec) -> Build:
 def base_cabinet(spec: Spec) -> Build:
     """Return a kitchen unit with a worktop: doors, or drawers when made so, in modules of about 0.6 m."""
     count = max(1, round(spec.size[1] / 0.6))
-    stone = spec.choice((MARBLE, Finish((0.72, 0.60, 0.44), "wood")))
     door = [Cell("door", 3.0, 1), Cell("drawer", 1.0)]
     drawers = [Cell("drawer", 1.6), Cell("drawer", 1.6), Cell("drawer", 1.0)]
     bays = [drawers if spec.has("drawers") or (k % 3 == 1) else door for k in range(count)]
-    return cabinet(spec, bays, plinth=0.1, worktop=stone)
+    return cabinet(spec, bays, plinth=0.1, worktop=spec.style.worktop)
 
 
 def wall_cabinet(spec: Spec) -> Build:
-    """Return a kitchen cabinet for the wall."""
-    count = max(1, round(spec.size[1] / 0.5))
+    """Return a kitchen cabinet for the wall, with a door for every unit of 0.6 m below."""
+    count = max(1, ceil(spec.size[1] / _WIDEST_DOOR))
     return cabinet(spec, [[Cell("glass" if spec.has("glass") else "door", 1.0, 1)]] * count)
+
+
+def corner_cabinet(spec: Spec) -> Build:
+    """Return a kitchen unit for the corner at its back and left, between two runs at right angles.
+
+    Its worktop goes round the corner; in the angle that is left open is a door beside a fixed front.
+    """
+    x, y, z = spec.size
+    back, left, low, high = -x / 2, y / 2, 0.1, z - 0.034
+    deep = min(_RUN_DEPTH, 0.8 * x, 0.8 * y)
+    front = deep - 0.004 - HANDLE - BOARD - GAP
+    carcass, top = spec.paint, spec.style.worktop
+    foot = front - 0.05
+    build = Build(
+        body=[
+            box(top, (back, back + deep), (-y / 2, left), (high, z)),
+            box(top, (back + deep, x / 2), (left - deep, left), (high, z)),
+            box(carcass, (back, back + front), (-y / 2, -y / 2 + BOARD), (low, high)),
+            box(carcass, (x / 2 - BOARD, x / 2), (left - front, left), (low, high)),
+            box(carcass, (back, back + 0.008), (-y / 2 + BOARD, left), (low, high)),
+            box(carcass, (back + 0.008, x / 2 - BOARD), (left - 0.008, left), (low, high)),
+            box(carcass, (back + 0.008, back + front), (-y / 2 + BOARD, left - 0.008), (low, low + BOARD)),
+            box(carcass, (back + front, x / 2 - BOARD), (left - front, left - 0.008), (low, low + BOARD)),
+            box(carcass, (back, back + foot), (-y / 2 + 0.01, left), (0, low)),
+            box(carcass, (back + foot, x / 2 - 0.01), (left - foot, left), (0, low)),
+            box(carcass, (back + front, x / 2 - GAP / 2), (left - front - BOARD, left - front), (low, high)),
+        ],
+        surfaces=[
+            top_surface("top", (back, back + deep), (-y / 2, left), z),
+            top_surface("side", (back + deep, x / 2), (left - deep, left), z),
+        ],
+    )
+    opening = (-y / 2 + GAP / 2, left - front - BOARD - HANDLE)
+    face = face_of(
+        "door", (back + front + GAP, back + deep - 0.004), opening, (low, high - GAP / 2), carcass, spec.style.metal
+    )
+    build.moving.append(door(face, left_hung=False))
+    return build
 
 
 def kitchen_island(spec: Spec) -> Build:
@@ -212,7 +251,7 @@ def kitchen_island(spec: Spec) -> Build:
     bays = [[Cell("drawer")] * 3 if k % 2 else [Cell("door", 1.0, 1)] for k in range(count)]
     build = cabinet(inner, bays, plinth=0.1)
     build = shifted(build, ((x - depth) / 2 - 0.02, 0.0, 0.0))
-    top = spec.choice((MARBLE, Finish((0.70, 0.55, 0.38), "wood")))
+    top = spec.style.worktop
     build.body.append(box(top, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.04, z)))
     build.surfaces = [top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)]
     return build

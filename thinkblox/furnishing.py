@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.source import AssetSource
 from thinkblox.dressing import bare_shelves, dress, dresses_nothing, undress
 from thinkblox.episode import Episode, Round
@@ -281,19 +282,42 @@ class _Attempt:
 def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
 
-    What every such room has, and what something else is to stand by, stays wherever it is.
+    What every such room has, and what something else is to stand by, stays wherever it is; not so what hangs over a
+    run, which may be over any unit of that.
     """
     if not target.asked and dresses_nothing(scene, target):
         return "there was no room left for it at a window"
     tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
     needed = any(target.id in other.depends_on for other in plan.targets)
-    if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
+    over = tie is not None and _is_of_run(plan, tie)
+    essential = is_essential(target.category, plan.brief.room_type) and not (over and tie and tie.kind == "above")
+    if target.asked or tie is None or needed or essential:
+        return ""
+    if over and any(measure(scene, tie.kind, target.id, (id,)).holds for id in _alike(plan, tie) if id in scene):
         return ""
     if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
     if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
         return ""
     return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
+
+
+def spare_on_run(plan: Plan) -> set[str]:
+    """Ids of what is only assumed on or over a run, as far as that has room."""
+    return {t.id for t in plan.targets if not t.asked and any(_is_of_run(plan, tie) for tie in t.ties[:1])}
+
+
+def _is_of_run(plan: Plan, tie: Tie) -> bool:
+    """Whether it is on or over a part of what is built in one line, or over what is let into that: any part will do."""
+    kinds = [facts_of(t.category) for t in plan.targets if t.id in tie.anchors]
+    parts = all(kind.is_in("built_in", "built_in_line") for kind in kinds)
+    return tie.kind in ("above", "on") and bool(kinds) and parts
+
+
+def _alike(plan: Plan, tie: Tie) -> list[str]:
+    """The anchors of a tie and the others of their requests."""
+    requests = {t.request for t in plan.targets if t.id in tie.anchors}
+    return [t.id for t in plan.targets if t.request in requests]
 
 
 def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bool:
@@ -327,8 +351,12 @@ def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, 
 
 
 def _faults(report: Report, scene: Scene, plan: Plan) -> tuple[int, ...]:
-    """What is not as asked, or odd, and another arrangement might mend, the gravest first."""
-    absent = [a for a in report.absent if a.category != UNKNOWN]
+    """What is not as asked, or odd, and another arrangement might mend, the gravest first.
+
+    What is assumed to be on or over a run is there as far as it has room.
+    """
+    spare = spare_on_run(plan)
+    absent = [a for a in report.absent if a.category != UNKNOWN and a.id not in spare]
     return (
         sum(a.asked for a in absent),
         sum(not v.valid for v in report.objects) + (not report.valid),

@@ -11,7 +11,7 @@ from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
-from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish
+from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish, spare_on_run
 from thinkblox.given import seed_given
 from thinkblox.modes import Mode
 from thinkblox.observe import Sight
@@ -26,6 +26,7 @@ from thinkblox.planning import (
     relieved,
     reordered,
     varied,
+    with_run,
     with_sizes,
     with_surfaces,
 )
@@ -57,8 +58,9 @@ RELIEFS = 3
 """How often something that is only assumed is left out of a room of a given size where what matters more is absent."""
 GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
-ROOMIER, EASY = 1.2, 0.9
-"""The same where all is, but in a cramped room: one that scores below this in what follows."""
+ROOMIER, EASY, BLOCKED = 1.2, 0.9, 0.5
+"""The same where all is, but in a cramped room: one that scores below this in what follows; and below which score of
+its ways one cannot get through it."""
 _EASE = ("clearance", "circulation")
 
 
@@ -132,7 +134,8 @@ def generate_room(
 
     def furnished(floor: Room, effort: Effort, before: Sequence[Furnished], less: Brief | None = None) -> Furnished:
         floor = with_surfaces(floor, brief, seed)
-        plan = _made("planner", planner.plan(less or brief, floor), Plan)
+        meant = with_run(less or brief, floor, seed) if assumes else less or brief
+        plan = _made("planner", planner.plan(meant, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not before:
             on_plan(plan)
@@ -202,16 +205,23 @@ def _furnish_relieved(
     effort: Effort,
     until: float,
 ) -> None:
-    """Furnish a room of a given size again with less that is only assumed, while what matters more is absent."""
+    """Furnish a room of a given size again with less that is only assumed, while what matters more is absent.
+
+    So it is while one cannot get through it.
+    """
     once = replace(effort, restarts=0)
-    while brief is not None and _lacks_essentials(made[-1]) and len(made) <= RELIEFS and time.monotonic() < until:
+
+    def wants_less(last: Furnished) -> bool:
+        return _lacks_essentials(last) or _is_blocked(last)
+
+    while brief is not None and wants_less(made[-1]) and len(made) <= RELIEFS and time.monotonic() < until:
         brief = relieved(brief)
         if brief is not None:
             made.append(furnished(room, once, made, brief))
 
 
 def _best(made: Sequence[Furnished]) -> Furnished:
-    return min(made, key=lambda each: (each.faults, each.strewn, _is_cramped(each)))
+    return min(made, key=lambda each: (each.faults, each.strewn, _is_blocked(each), _is_cramped(each)))
 
 
 def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
@@ -237,10 +247,16 @@ def _is_cramped(made: Furnished) -> bool:
     return any(score is not None and score < EASY for score in parts)
 
 
+def _is_blocked(made: Furnished) -> bool:
+    """Whether much of what stands in it cannot be reached, by the guidelines of interior layout."""
+    reached = made.report.score.part("circulation").score if made.report.score is not None else None
+    return reached is not None and reached < BLOCKED
+
+
 def _lacks_essentials(made: Furnished) -> bool:
     """Whether something that is asked for, or that every such room has, is absent, or anything fails."""
-    room = made.loop.plan.brief.room_type
-    absent = any(a.asked or is_essential(a.category, room) for a in made.report.absent)
+    room, spare = made.loop.plan.brief.room_type, spare_on_run(made.loop.plan)
+    absent = any(a.asked or (is_essential(a.category, room) and a.id not in spare) for a in made.report.absent)
     return absent or not made.report.valid or any(not v.valid for v in made.report.objects)
 
 

@@ -34,13 +34,13 @@ class Panes(Value, frozen=True, kw_only=True):
     Attributes:
         width, sill: of each [m].
         top: how far it ends below the ceiling [m].
-        count: how many there are where the prompt does not say.
+        count: how many there are where the prompt does not say; None for as many as houses have.
     """
 
     width: Positive
     sill: Positive
     top: Positive = 0.4
-    count: Annotated[int, Meta(ge=1, le=12)] = 2
+    count: Annotated[int, Meta(ge=1, le=12)] | None = None
 
 
 class RoomType(Value, frozen=True, kw_only=True):
@@ -62,8 +62,8 @@ class RoomType(Value, frozen=True, kw_only=True):
         windowless: it has no window unless the prompt asks for one.
         panes: its windows, where they are unlike those of houses.
         entered_at_end: its door is in the middle of a short wall.
-        run: how what is built in one line along a wall stands, where the type is called by it: round a corner, or
-            along two walls across from each other.
+        run: how what is built in one line along a wall stands, where the type is called by it: round a corner,
+            along three sides, or along two walls across from each other.
         across: the least and the greatest length of its shorter side, where the type is called by that [m].
         shapes: the type that is meant by a shape, where that is not said of the floor: an L-shaped kitchen.
     """
@@ -83,7 +83,7 @@ class RoomType(Value, frozen=True, kw_only=True):
     windowless: bool = False
     panes: Panes | None = None
     entered_at_end: bool = False
-    run: Literal["", "corner", "facing"] = ""
+    run: Literal["", "corner", "sides", "facing"] = ""
     across: tuple[Positive, Positive] | None = None
     shapes: dict[str, str] = {}
 

@@ -9,6 +9,7 @@ from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.orders import reordered
 from thinkblox.planning.rooms import is_open, larger, plan_room
+from thinkblox.planning.runs import with_run
 from thinkblox.planning.surfaces import with_surfaces
 from thinkblox.planning.tightness import fitted, is_essential, relieved
 from thinkblox.planning.variety import varied
@@ -39,6 +40,7 @@ __all__ = [
     "relieved",
     "reordered",
     "varied",
+    "with_run",
     "with_sizes",
     "with_surfaces",
 ]

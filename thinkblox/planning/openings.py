@@ -127,7 +127,8 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
         named = any("window" in relation.anchors for relation in brief.relations)
         usual, panes = not type_.windowless, type_.panes
         twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
-        count = panes.count if panes else 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
+        usually = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
+        count = panes.count if panes and panes.count else usually
         if usual and type_.entered_at_end:
             wanted += _along_sides(room, count)
         else:

@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_OVER_BONUS = 2.0
+"""What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
 _COMPANION_BONUS = 0.5
 """What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
 _LOW, _WIDE = 0.6, 1.2
@@ -197,12 +199,22 @@ def _runs(members: Members) -> list[list[str]]:
 def _join_runs(members: Members) -> None:
     """What is only assumed to stand next to a part of its run stands anywhere in it, as the run is best lined up."""
     for run in _runs(members):
+        _wait_for(members, run)
         for member in (members.by_id[id] for id in run):
             kept = [
                 tie for tie in member.ties if tie.asked or tie.kind != "next_to" or not set(run).issuperset(tie.anchors)
             ]
             if len(kept) < len(member.ties):
                 member.ties[:] = kept or [Tie(kind="against_wall", anchors=("wall",), asked=False)]
+
+
+def _wait_for(members: Members, run: Sequence[str]) -> None:
+    """What stands before a part of a run comes when all of that stands: it is before its middle."""
+    parts = [members.by_id[id] for id in run]
+    for member in members.all:
+        before = any(tie.kind == "in_front_of" and not set(run).isdisjoint(tie.anchors) for tie in member.ties)
+        if before and member.mount == "floor" and not any(members.depends(part, member) for part in parts):
+            member.waits.update(run)
 
 
 def _is_dependent(member: Member) -> bool:
@@ -251,6 +263,7 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, com
     weight += _NAMED_PLACE_BONUS * wall
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
+    weight += _OVER_BONUS * any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     weight += _COMPANION_BONUS * (companion is not None)
     late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)

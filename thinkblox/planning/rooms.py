@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import across_need, needed_area, run_length, wall_needs
+from thinkblox.planning.space import across_need, depth_need, needed_area, run_length, wall_needs
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
@@ -23,6 +23,8 @@ _TOLD, _FITTED = 5, 1.2
 """Of how many kinds of things that are named a room is a fitting one, and by how much larger it may be."""
 _CLOSE = 1.1
 """By how much one that is said to be small may."""
+_CLOSET = 4.0
+"""A type of room that is usually smaller than this is no larger than it must be [m2]."""
 _SMALL, _LARGE = 20.0, 40.0
 """Floors of rooms that vary most, and from which they vary as halls do [m2]."""
 _LEAST_SIDE = 1.8
@@ -68,13 +70,16 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     least = needed_area(brief) * _scale(brief)
     told = len({request.category for request in brief.requests if request.asked}) >= _TOLD
     spread = min(_spread(least), _FITTED if told else _SPREAD) if _CLOSE_ROOMS.isdisjoint(brief.style) else _CLOSE
+    spread = min(spread, _CLOSE) if room_type(brief.room_type).area < _CLOSET else spread
     area = brief.area if brief.area is not None else least * rng.uniform(1.0, spread)
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
-    if (side := room_type(brief.room_type).across) is not None:
+    kind = room_type(brief.room_type)
+    if (side := kind.across) is not None:
         narrow = round(float(rng.uniform(*side)), digits)
-        long = area / narrow if brief.area is not None else run_length(brief) / 2 + _TO_RUN
+        run = run_length(brief) / 2 + _TO_RUN
+        long = area / narrow if brief.area is not None or (kind.run == "sides" and area > run * narrow) else run
         return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
     width = round(min(MAX_SIDE, area / depth), digits)
@@ -84,7 +89,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     across = across_need(brief)
     if across > width:
         depth = max(depth, round(_NOT_NARROWER * across, 1))
-    return max(width, least_width, across), max(depth, least_depth)
+    deep = depth_need(brief)
+    return max(width, least_width, across, deep), max(depth, least_depth, deep)
 
 
 def _spread(area: float) -> float:

@@ -47,6 +47,8 @@ _GROWN = 0.4
 """By how much a run may come out longer, for what stands on its worktops [m]."""
 _LONG_RUN = 5.0
 """What is longer goes round a corner [m]."""
+_BEFORE_RUN, _BEHIND_ISLAND = 1.1, 1.0
+"""Free floor between a run and an island before it, and behind that [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
 """Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
 
@@ -62,8 +64,13 @@ def needed_area(brief: Brief) -> float:
 
 def furniture_area(brief: Brief) -> float:
     """Floor that the furniture of a brief takes with the space to use it, and the ways between [m2]."""
-    areas = (r.count * _own_area(brief, r) * (1.0 if _in_ranks(brief, r) else _WAYS) for r in brief.requests)
+    areas = (r.count * _own_area(brief, r) * (1.0 if _is_whole(brief, r) else _WAYS) for r in brief.requests)
     return _DOOR_AREA + sum(areas) + _before_board(brief)
+
+
+def _is_whole(brief: Brief, request: Request) -> bool:
+    """Whether the ways are counted with each: one goes along a run where one works at it."""
+    return _in_ranks(brief, request) or facts_of(request.category).is_in("built_in_line")
 
 
 def _in_ranks(brief: Brief, request: Request) -> bool:
@@ -81,14 +88,14 @@ def _before_board(brief: Brief) -> float:
     requests = [(brief.request(r.subject), r.rows) for r in rows]
     desks = [r.subject for r in brief.relations if r.kind in ("in_front_of", "near") and boards & set(r.anchors)]
     depth = _BOARD + max(
-        (_size(brief.request(key))[0] + _SIT for key in desks if _stands(brief.request(key))), default=0
+        (extent(brief.request(key))[0] + _SIT for key in desks if _stands(brief.request(key))), default=0
     )
-    return sum(depth * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.category, q.count)) for q, n in requests)
+    return sum(depth * (extent(q)[1] + 0.6) * q.count / (n or rows_for(q.category, q.count)) for q, n in requests)
 
 
 def _walls_area(brief: Brief) -> float:
     """Floor whose walls are long enough for what stands against them, at a proportion of 4:5 [m2]."""
-    widths = sum(r.count * _size(r)[1] for r in brief.requests if _is_against_wall(brief, r))
+    widths = sum(r.count * extent(r)[1] for r in brief.requests if _is_against_wall(brief, r))
     perimeter = widths / _WALL_SHARE
     return (perimeter / 4.0) ** 2
 
@@ -102,7 +109,7 @@ def wall_needs(brief: Brief) -> Vec2:
             if wall in needs and relation.kind in ("against_wall", "in_corner"):
                 request = requests[relation.subject]
                 gap = _BESIDE if relation.kind == "against_wall" else _IN_CORNER
-                needs[wall] += request.count * (_size(request)[1] + gap) if _stands(request) else 0.0
+                needs[wall] += request.count * (extent(request)[1] + gap) if _stands(request) else 0.0
     along = [max(needs[a], needs[b]) for a, b in (("north_wall", "south_wall"), ("east_wall", "west_wall"))]
     seen = [max(needs[a], needs[b]) for a, b in (("far_wall", "near_wall"), ("left_wall", "right_wall"))]
     x, y = (round(min(MAX_SIDE, max(pair)), 1) for pair in zip(along, seen, strict=True))
@@ -120,18 +127,32 @@ def across_need(brief: Brief) -> float:
     for relation in asked:
         pair = [requests[key] for key in (relation.subject, relation.anchors[0]) if key in requests]
         if relation.kind == "opposite":
-            needs.append(sum(_size(each)[0] for each in pair) + _ACROSS)
+            needs.append(sum(extent(each)[0] for each in pair) + _ACROSS)
         elif relation.kind == "far":
-            needs.append(sum(min(_size(each)[:2]) for each in pair if _stands(each)) + _FAR)
+            needs.append(sum(min(extent(each)[:2]) for each in pair if _stands(each)) + _FAR)
         elif relation.kind == "between" and _stands(requests[relation.subject]):
             beside = [requests[key] for key in relation.anchors if key in requests]
             twice = beside * 2 if len(beside) == 1 else beside
             needs.append(
-                sum(_size(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
+                sum(extent(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
             )
     if run := run_length(brief):
         needs.append(min(run + _GROWN, _LONG_RUN))
     return round(min(MAX_SIDE, max(needs)), 1)
+
+
+def depth_need(brief: Brief) -> float:
+    """Least shorter side of a room in which something to work at stands before what is built in one line [m]."""
+    run = [r for r in brief.requests if facts_of(r.category).is_in("built_in_line") and _stands(r)]
+    amid = [r for r in brief.requests if facts_of(r.category).is_in("stands_free") and _is_worktop(r)]
+    if not run or not amid:
+        return 0.0
+    before = max(extent(r)[0] for r in run) + _BEFORE_RUN
+    return round(before + max(extent(r)[0] for r in amid) + _BEHIND_ISLAND, 1)
+
+
+def _is_worktop(request: Request) -> bool:
+    return facts_of(request.category).is_in("worktops") and _stands(request)
 
 
 def run_length(brief: Brief) -> float:
@@ -140,7 +161,7 @@ def run_length(brief: Brief) -> float:
     for request in brief.requests:
         facts = facts_of(request.category)
         if facts.is_in("built_in_line") and _stands(request):
-            own = request.count * (_size(request)[1] + _IN_RUN)
+            own = request.count * (extent(request)[1] + _IN_RUN)
             lengths[facts.run] = lengths.get(facts.run, 0.0) + own
     return max(lengths.values(), default=0.0)
 
@@ -154,7 +175,7 @@ def _own_area(brief: Brief, request: Request) -> float:
     mats = kind_of(request.category).flat and _in_rows(request)
     if not (mats or _stands(request)) or _belongs_to_seating(brief, request):
         return 0.0
-    depth, across, _ = _size(request)
+    depth, across, _ = extent(request)
     if mats:
         return (across + _BETWEEN_MATS) * (depth + _BETWEEN_MATS)
     across = max(across, _seated_width(brief, request))
@@ -184,9 +205,11 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     """Free width beside and free depth before a piece [m]."""
     habits = load_habits()
     name = request.category
+    if habits.is_in(name, "built_in_line"):
+        return _IN_RUN, 0.9
     drawn_up = [r for r in brief.relations if r.kind in ROUND_TABLES and request.key in r.anchors]
     seats = [brief.request(r.subject) for r in drawn_up] or _seats_for(brief, request)
-    about = 2.0 * (max((_size(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
+    about = 2.0 * (max((extent(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
     if habits.is_in(name, "served_over"):
         return 0.6, 2.1
     if habits.is_in(name, "played_around"):
@@ -232,7 +255,7 @@ def _is_against_wall(brief: Brief, request: Request) -> bool:
     return first is not None and first.kind == "against_wall"
 
 
-def _size(request: Request) -> Vec3:
+def extent(request: Request) -> Vec3:
     """Size of what is requested, as asked or usual (along the front axis, across, up) [m]."""
     x, y, z = _usual_size(request.category, request.attributes, revision())
     depth, width, height = (size or own for size, own in zip(request.size, request.drawn, strict=True))

@@ -160,7 +160,8 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
     )
     if wanted is None:
         on_wall = situation.kind(follower).mount == "wall" or WALL_MOUNTED in follower.attributes
-        hung_above = tie.kind == "above" and on_wall
+        in_line = situation.facts.is_in("built_in_line") and facts_of(follower.category).is_in("over_run")
+        hung_above = tie.kind == "above" and on_wall and not in_line
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]

@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
+from msgspec import structs
+
 from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.phrases import Constraint
@@ -22,6 +24,7 @@ from thinkblox.policies.expert import (
     sides,
     spreading,
     surfaces,
+    uppers,
     walls,
 )
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
@@ -70,8 +73,10 @@ BY_ANOTHER = 2.0
 """Cost of standing by another of the anchor's kind than its own."""
 UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
-OUT_OF_RUN = 8.0
-"""Cost of a place that breaks the run that is built in one line."""
+MIDDLE_OF_RUN = -2.5
+"""Cost of standing before the middle of a run, besides what it costs not to be before the very part that is named."""
+OUT_OF_RUN = 20.0
+"""Cost of a place that breaks the run that is built in one line, or is not over it."""
 _TURNED = ("facing", "facing_away")
 """Relations that say how a thing is turned, not where it stands."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
@@ -112,6 +117,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     seated_round = any(tie.kind == "around" for tie in ties)
     paired = [] if lined or seated_round else list(partners.partner_ideas(situation))
     lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
+    lined_up += list(uppers.upper_ideas(situation)) if uppers.hangs_over_run(situation) else []
+    lined_up += list(uppers.hood_ideas(situation))
     dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
     paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
@@ -431,6 +438,9 @@ def _has_sibling(situation: Situation, anchor: Placement, side: str) -> bool:
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     face = situation.facts.is_in("seating")
+    if not tie.asked and (unit := runs.middle_unit(situation, anchor)) != anchor:
+        for idea in _front(situation, unit, structs.replace(tie, anchors=(unit.id,), asked=True)):
+            yield _dearer(idea, MIDDLE_OF_RUN)
     if face and situation.scene.asset_of(anchor).gaze == "back" and _is_worked_at(situation, anchor):
         yield from _visiting(situation, anchor, tie)
         return
