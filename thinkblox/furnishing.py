@@ -31,8 +31,10 @@ _UNDRESSINGS = 3
 """How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
-BELONGING = ("next_to", "at_foot_of", "at", "in_front_of", "behind", "on", "above")
+BELONGING = ("next_to", "at_foot_of", "at", "around", "in_front_of", "behind", "on", "above")
 """Relations without which what is only assumed is better left out."""
+SEVERAL = ("around", "on")
+"""Relations of several, of which one more or less does not matter to what a room is for."""
 ROWS = 6
 """From so many on what is to stand in rows looks strewn about where it does not."""
 DRAWN_UP = ("at", "in_front_of")
@@ -281,13 +283,15 @@ class _Attempt:
 def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
 
-    What every such room has, and what something else is to stand by, stays wherever it is.
+    What every such room has, and what something else is to stand by, stays wherever it is, but for one of several at a table or on it.
     """
     if not target.asked and dresses_nothing(scene, target):
         return "there was no room left for it at a window"
     tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
     needed = any(target.id in other.depends_on for other in plan.targets)
-    if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
+    if target.asked or tie is None or needed:
+        return ""
+    if is_essential(target.category, plan.brief.room_type) and not (tie.kind in SEVERAL and tie.index):
         return ""
     if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
