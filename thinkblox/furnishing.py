@@ -283,7 +283,8 @@ class _Attempt:
 def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
 
-    What every such room has, and what something else is to stand by, stays wherever it is, but for one of several at a table or on it.
+    What every such room has, and what something else is to stand by, stays wherever it is, but for one of several at a
+    table or on it.
     """
     if not target.asked and dresses_nothing(scene, target):
         return "there was no room left for it at a window"

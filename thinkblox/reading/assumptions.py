@@ -319,13 +319,13 @@ def _is_bare(draft: Draft) -> bool:
 def _is_sketched(draft: Draft) -> bool:
     """Whether the prompt names the room and a few things, rather than all that it is to hold.
 
-    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for; to
-    give a table its chairs is not to say that.
+    Who says how things of different kinds stand to each other has the room before their eyes, unless none of them is
+    what it is for; to give a table its chairs is not to say that.
     """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
     told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
-    arranged = any(isinstance(a, Mention) for b in told for a in b.anchors)
+    arranged = any(isinstance(a, Mention) and a is not b.subject for b in told for a in b.anchors)
     core = room_type(draft.room).core
     return not (arranged and any(are_alike(name, thing.noun) for name in core for thing in draft.things))
 
@@ -336,9 +336,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     counted = {t.noun for t in draft.things if t.asked and t.count is not None and t.noun in things()}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
-        there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
+        one = {thing.noun for thing in draft.things if _is_of_one(draft, thing, usual)}
+        there = any(_serves(noun, usual) for noun in present - one)
+        there |= any(_is_one(n, usual.category) for n in draft.excluded)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
-        there |= any(counts_as(usual.category, noun) for noun in counted)
+        there |= any(counts_as(usual.category, noun) for noun in counted - one)
         if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
@@ -356,6 +358,14 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _is_of_one(draft: Draft, thing: Mention, usual: Usual) -> bool:
+    """Whether it is that of who teaches many: a single desk, or its chair, where each of many has a place."""
+    place = room_type(draft.room).place
+    single = thing.asked and thing.count == 1 and usual.count > _CROWDED
+    own = usual.category == place and thing.noun != place
+    return single and bool(place) and (own or any(each and a == place for _, a, each in usual.relations))
 
 
 def _is_seated(draft: Draft, table: Mention | None) -> bool:
@@ -396,6 +406,7 @@ def _is_of_other(draft: Draft, thing: Mention) -> bool:
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
     """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    seats = [t for t in seats if not _is_of_one(draft, t, usual)]
     uncounted = [t for t in draft.things if t.asked and t.count is None and t.plural and not draft.bonds_of(t)]
     hung = [t for t in uncounted if _serves(t.noun, usual)]
     for kind, anchors, each in usual.relations:
