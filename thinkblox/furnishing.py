@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.source import AssetSource
 from thinkblox.dressing import bare_shelves, dress, dresses_nothing, undress
 from thinkblox.episode import Episode, Round
@@ -296,7 +297,8 @@ def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
         return ""
     if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
-    if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
+    well = not _is_second_at_side(scene, plan, target, tie) and not _is_at_foot(scene, target, tie)
+    if well and measure(scene, tie.kind, target.id, tie.anchors).holds:
         return ""
     return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
 
@@ -311,6 +313,14 @@ def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bo
     )
     sides = [anchor.to_local((p.position[0], p.position[1]))[1] for p in (scene[id] for id in alike if id in scene)]
     return any(side * anchor.to_local((own.position[0], own.position[1]))[1] > 0.0 for side in sides)
+
+
+def _is_at_foot(scene: Scene, target: Target, tie: Tie) -> bool:
+    """Whether what belongs beside the head of a bed has come to stand beside its foot."""
+    bed, own = scene[tie.anchors[0]], scene[target.id]
+    if tie.kind != "next_to" or not facts_of(bed.category).is_in("beds"):
+        return False
+    return bed.to_local((own.position[0], own.position[1]))[0] > 0.0
 
 
 def _next(target: Target) -> tuple[str, ...]:
