@@ -11,3 +11,10 @@ def test_pupils_have_desks_besides_that_of_who_teaches(named: str):
     counts = {request.category: request.count for request in brief.requests if not request.asked}
     assert counts["school_desk"] == 12
     assert sum(request.count for request in brief.requests if request.category == "chair") >= 13
+
+
+def test_a_stool_in_front_of_a_bench_is_its_stool():
+    brief = read_brief(
+        "A lab: a lab bench with three beakers, a lab stool in front of it, a fume hood and a gas bottle"
+    )
+    assert sum(request.count for request in brief.requests if "stool" in request.category) == 1

@@ -161,3 +161,15 @@ def test_beds_side_by_side_have_a_nightstand_between_them_and_nothing_at_the_foo
         counts = {r.category: r.count for r in varied(read_brief("A guest bedroom with twin beds"), seed).requests}
         assert counts["nightstand"] == 1
         assert {"bench", "trunk_large"}.isdisjoint(counts)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "others"),
+    [
+        ("A bedroom with a bed and a reading chair", {"rocking_chair"}),
+        ("An office with a desk and three framed certificates", {"picture", "poster"}),
+        ("A storage room with a bucket", {"mop_bucket"}),
+    ],
+)
+def test_who_names_a_thing_gets_no_other_that_is_called_alike(prompt, others):
+    assert all(kinds(prompt, seed).isdisjoint(others) for seed in SEEDS)

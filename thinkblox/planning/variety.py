@@ -251,7 +251,7 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
-    if any(request.asked and _is_called(first, request.category) for request in brief.requests):
+    if any(request.asked and _is_named(first, request.category) for request in brief.requests):
         return ()
     wanted: list[Usual] = []
     for usual in option:
@@ -279,9 +279,14 @@ def _stands_in_line(request: Request) -> bool:
     return request.count > 1 and load_habits().is_in(request.category, "in_line", "beds")
 
 
-def _is_called(category: str, name: str) -> bool:
-    """Whether who names a <name> speaks of such a thing: a mop bucket is a bucket."""
-    return category.endswith(f"_{name}")
+def _is_named(category: str, name: str) -> bool:
+    """Whether who names a <name> has said what there is of such things: a mop bucket is a bucket, a poster a picture.
+
+    One kind of chairs to lean back in is enough.
+    """
+    pictures = varieties().pictures.split(", ")
+    seats = load_habits().is_in(category, "lounges") and are_alike(category, name)
+    return category.endswith(f"_{name}") or {category, name} <= {*pictures} or seats
 
 
 def _does_for(name: str, wanted: str) -> bool:

@@ -29,6 +29,8 @@ _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
+_BEFORE = (*_DRAWN_UP, "in_front_of")
+"""The same, and where a prompt says it in other words."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED, _MOST_STOCKED = 12, 30
@@ -212,7 +214,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
             continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
-        drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
+        drawn = [t for t in seats if any(b.kind in _BEFORE and table in b.anchors for b in draft.bonds_of(t))]
         own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
         there = [t for t in there if _is_high_enough(t)] if _is_desk(table) else there
@@ -340,7 +342,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         there = any(_serves(noun, usual) for noun in present - one)
         there |= any(_is_one(n, usual.category) for n in draft.excluded)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
-        there |= any(counts_as(usual.category, noun) for noun in counted - one)
+        there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
         if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
@@ -433,10 +435,15 @@ def _serves(noun: str, usual: Usual) -> bool:
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
     if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
         return True
-    if load_habits().is_in(usual.category, "built_in_line", "worktops") and _is_mere_storage(noun):
+    if _is_too_little(noun, usual):
         return False
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
+
+
+def _is_too_little(noun: str, usual: Usual) -> bool:
+    """Whether worktops are expected, and a <noun> is a cupboard."""
+    return load_habits().is_in(usual.category, "built_in_line", "worktops") and _is_mere_storage(noun)
 
 
 def _is_mere_storage(noun: str) -> bool:

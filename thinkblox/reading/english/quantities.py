@@ -324,6 +324,5 @@ def lines_a_wall(category: str) -> bool:
 
 
 def is_shelved(category: str) -> bool:
-    """Whether it has its place in a bookcase."""
-    first = next(iter(load_habits().of(category)), None)
-    return first is not None and first.kind == "on" and SHELVES in first.anchors
+    """Whether a bookcase that is full is full of it."""
+    return load_habits().is_in(category, "fills_shelves")
