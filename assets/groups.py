@@ -16,6 +16,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "basins": "one washes one's hands at it",
         "worktops": "a kitchen's work is done on it",
         "boards": "many look at what is shown on it",
+        "written_on": "somebody stands before it and writes on it",
         "storage": "things are kept in it, and it carries more on top",
         "shelves": "things stand on its shelves",
         "plants": "a plant",

@@ -19,7 +19,7 @@ from thinkblox.exporters.looks import covering_look, finish_look
 from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.scene.textured_mesh import TexturedMesh
-from thinkblox.sim.render.curtains import curtain_ends
+from thinkblox.sim.render.curtains import Drape, curtains_at
 from thinkblox.sim.render.interior import Shell, add_room
 from thinkblox.sim.render.layings import colours
 from thinkblox.sim.render.materials import MATERIALS
@@ -65,11 +65,11 @@ class RoomParts:
 def room_parts(inventory: Inventory) -> RoomParts:
     """What is seen of a room besides its objects."""
     scene = inventory.scene
-    return _room_parts(scene.room, scene.surfaces, tuple(sorted(curtain_ends(scene).items())), not inventory.doors)
+    return _room_parts(scene.room, scene.surfaces, tuple(sorted(curtains_at(scene).items())), not inventory.doors)
 
 
 @lru_cache(maxsize=4)
-def _room_parts(room: Room, surfaces: Surfaces, curtains: tuple[tuple[str, float], ...], filled: bool) -> RoomParts:
+def _room_parts(room: Room, surfaces: Surfaces, curtains: tuple[tuple[str, Drape], ...], filled: bool) -> RoomParts:
     soup = Soup()
     shell = Shell(standing=(True,) * len(room.walls), curtains=dict(curtains), filled=filled)
     add_room(soup, room, surfaces, shell)

@@ -203,7 +203,9 @@ def test_seats_in_rows_are_exactly_in_line():
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
 def test_a_sofa_looks_at_the_screen_from_a_good_distance(seed: int):
-    done = room("A living room with a sofa facing a TV on a TV stand and a coffee table between them.", seed)
+    done = generate_room(
+        "A living room with a sofa facing a TV on a TV stand and a coffee table between them.", seed=seed
+    )
     sofa, stand, table = (of(done, c)[0] for c in ("sofa", "tv_stand", "coffee_table"))
     assert 1.7 <= gap(sofa, stand) <= 3.6
     assert gap(sofa, table) >= 0.3

@@ -730,3 +730,27 @@ def test_what_hangs_on_a_wall_hangs_there_and_rolls_stand_on_its_shelf() -> None
     assert room.report.complete
     stand = generate_room("A 3 by 3 m room with an umbrella stand on the wall.", fill="named", seed=0)
     assert "not so: umbrella_stand_1 on wall" in shortfalls(stand.report)
+
+
+@pytest.mark.slow
+def test_a_screen_is_seen_by_both_who_face_each_other():
+    room = made("A living room with two sofas facing each other")
+    (screen,) = placed(room, "tv")
+    ahead = [sofa.to_local((screen.position[0], screen.position[1]))[0] for sofa in placed(room, "sofa")]
+    assert min(ahead) > 0.0
+
+
+@pytest.mark.slow
+def test_nightstands_stand_at_the_head():
+    room = made("A bedroom with a four-poster bed, a vanity and an armchair")
+    (bed,) = placed(room, "bed")
+    stands = placed(room, "nightstand")
+    assert stands
+    assert all(bed.to_local((stand.position[0], stand.position[1]))[0] < 0.0 for stand in stands)
+
+
+@pytest.mark.slow
+def test_what_is_projected_is_before_the_middle_of_the_table():
+    room = made("A meeting room for ten")
+    (table,), (screen,) = placed(room, "conference_table"), placed(room, "projector_screen")
+    assert min(abs(a - b) for a, b in zip(table.position[:2], screen.position[:2], strict=True)) < 0.3

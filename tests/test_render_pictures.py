@@ -26,7 +26,7 @@ from thinkblox.sim.render import (
     render_top,
     room_views,
 )
-from thinkblox.sim.render.curtains import curtain_ends
+from thinkblox.sim.render.curtains import curtains_at
 from thinkblox.sim.render.foreground import in_the_way
 from thinkblox.sim.render.labels import Labelled, laid_out, names_of
 from thinkblox.sim.render.legend import MOST_NAMED, legend_of, numbered
@@ -268,12 +268,16 @@ def test_what_a_tall_piece_on_a_cut_wall_carries_is_seen_through_with_it() -> No
 def test_curtains_hang_where_nothing_stands_in_their_way() -> None:
     scene = Scene(room=structs.replace(OPEN, surfaces=LIVED_IN))
     wall, window = OPEN.walls[2], OPEN.openings[1]
-    assert curtain_ends(scene) == {"window_1": pytest.approx(0.02)}
+    assert curtains_at(scene)["window_1"].bottom == pytest.approx(0.02)
     x, y = wall.point(window.offset - 0.1, 0.2)
-    assert curtain_ends(put(scene, BOX, (x, y, 0.0), wall.yaw)) == {"window_1": pytest.approx(0.78)}
-    assert curtain_ends(put(scene, TALL_BOX, (x, y, 0.0), wall.yaw)) == {}
-    assert curtain_ends(put(scene, asset("curtain", (0.1, 1.0, 2.0)), (1.0, 1.0, 0.0))) == {}
-    assert curtain_ends(Scene(room=OPEN)) == {}
+    beside = curtains_at(put(scene, BOX, (x, y, 0.0), wall.yaw))["window_1"]
+    x, y = wall.point(window.offset - 0.1 - TALL_BOX.size[1] / 2, 0.31)
+    before = curtains_at(put(scene, TALL_BOX, (x, y, 0.0), wall.yaw))["window_1"]
+    assert beside.bottom == pytest.approx(0.78)
+    assert beside.beyond > before.beyond
+    assert before.over > beside.over
+    assert curtains_at(put(scene, asset("curtain", (0.1, 1.0, 2.0)), (1.0, 1.0, 0.0))) == {}
+    assert curtains_at(Scene(room=OPEN)) == {}
     assert difference(render_preview(scene, size=128), render_preview(Scene(room=scene.room), size=128)) == 0
     bare = Scene(room=structs.replace(OPEN, surfaces=structs.replace(LIVED_IN, curtains=None)))
     assert difference(render_preview(scene, size=128), render_preview(bare, size=128)) > 0.2
@@ -332,3 +336,12 @@ def test_mirrors_show_what_is_before_them() -> None:
         return float((picture[..., 0] - picture[..., 2] > 60).sum())
 
     assert redness("metal") > 1.2 * redness("paper")
+
+
+def test_alike_things_over_each_other_have_one_label() -> None:
+    scene = put(Scene(room=OPEN), BOX, (1.0, 1.0, 0.0))
+    for x, z in ((1.0, 0.5), (1.0, 0.9), (1.3, 0.5)):
+        scene = put(scene, LAMP, (x, 1.0, z), 0.0, "box_1")
+    texts = [label.text.replace("\n", " ") for label in plan_labels(scene, plan_of(OPEN), 512)]
+    assert len(texts) == 3
+    assert any("1, 2" in text for text in texts)

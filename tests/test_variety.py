@@ -44,19 +44,38 @@ def test_what_a_sketch_names_stays_as_it_is_said_and_what_comes_besides_differs(
     assert all(any("lamp" in request.category for request in room.requests) for room in rooms)
 
 
-def test_who_says_how_things_stand_or_names_many_gets_these_and_bare_walls_and_floors_are_dressed():
-    for prompt in (
-        "A bedroom with a double bed, two nightstands and a lamp on each",
-        "A bedroom with a bed, a desk, a chair, a wardrobe, a rug and a dresser",
-    ):
-        read = read_brief(prompt)
-        rooms = [varied(read, seed) for seed in SEEDS]
-        assert all(furniture_area(room) == furniture_area(read) for room in rooms)
-        assert (
-            {"picture"}
-            <= set.union(*({r.category for r in room.requests} for room in rooms))
-            <= {*(request.category for request in read.requests), "picture", "rug"}
-        )
+def test_who_names_many_gets_these_and_bare_walls_and_floors_are_dressed():
+    read = read_brief("A bedroom with a bed, a desk, a chair, a wardrobe, a rug and a dresser")
+    rooms = [varied(read, seed) for seed in SEEDS]
+    assert all(furniture_area(room) == furniture_area(read) for room in rooms)
+    came = set.union(*({r.category for r in room.requests} for room in rooms))
+    assert {"picture"} <= came <= {*(request.category for request in read.requests), "picture"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("A bedroom with a king bed, a bench and a dresser with a mirror above it", "nightstand wardrobe rug"),
+        ("A bedroom with a double bed, two nightstands and a lamp on each", "wardrobe rug picture"),
+        ("A home office with two desks facing each other", "office_chair monitor keyboard"),
+        ("A hotel room with two double beds", "nightstand wardrobe desk"),
+        ("A studio apartment", "bed wardrobe fridge"),
+    ],
+)
+def test_what_everybody_expects_of_a_room_is_there_although_some_things_are_arranged(prompt, expected):
+    assert all(set(expected.split()) <= kinds(prompt, seed) for seed in SEEDS)
+
+
+def test_who_wants_only_some_things_has_no_others():
+    read = read_brief("A bedroom with only a king bed, a bench and a dresser with a mirror above it")
+    assert all(varied(read, seed) == read for seed in SEEDS)
+
+
+def test_a_room_has_so_much_as_its_floor_is_for():
+    from thinkblox.planning.space import least_area
+
+    rooms = [varied(read_brief("A robotics lab with a workbench"), seed) for seed in SEEDS]
+    assert np.mean([furniture_area(room) / least_area(room) for room in rooms]) > 0.7
 
 
 def test_who_wants_little_gets_that():
@@ -135,3 +154,22 @@ def test_rough_rooms_are_not_papered_for_an_old_thing_in_them():
     brief = read_brief("A workshop where somebody restores old bicycles")
     surfaces = [with_surfaces(rectangle(4.0, 3.0), brief, seed).surfaces for seed in SEEDS]
     assert {each.floor.laying for each in surfaces if each is not None} == {"concrete"}
+
+
+def test_beds_side_by_side_have_a_nightstand_between_them_and_nothing_at_the_foot_of_one():
+    for seed in SEEDS:
+        counts = {r.category: r.count for r in varied(read_brief("A guest bedroom with twin beds"), seed).requests}
+        assert counts["nightstand"] == 1
+        assert {"bench", "trunk_large"}.isdisjoint(counts)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "others"),
+    [
+        ("A bedroom with a bed and a reading chair", {"rocking_chair"}),
+        ("An office with a desk and three framed certificates", {"picture", "poster"}),
+        ("A storage room with a bucket", {"mop_bucket"}),
+    ],
+)
+def test_who_names_a_thing_gets_no_other_that_is_called_alike(prompt, others):
+    assert all(kinds(prompt, seed).isdisjoint(others) for seed in SEEDS)

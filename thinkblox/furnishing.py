@@ -32,8 +32,10 @@ _UNDRESSINGS = 3
 """How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
-BELONGING = ("next_to", "at_foot_of", "at", "in_front_of", "behind", "on", "above")
+BELONGING = ("next_to", "at_foot_of", "at", "around", "in_front_of", "behind", "on", "above")
 """Relations without which what is only assumed is better left out."""
+SEVERAL = ("around", "on")
+"""Relations of several, of which one more or less does not matter to what a room is for."""
 ROWS = 6
 """From so many on what is to stand in rows looks strewn about where it does not."""
 DRAWN_UP = ("at", "in_front_of")
@@ -282,22 +284,25 @@ class _Attempt:
 def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
 
-    What every such room has, and what something else is to stand by, stays wherever it is; not so what hangs over a
-    run, which may be over any unit of that.
+    What every such room has, and what something else is to stand by, stays wherever it is; not so one of several at a
+    table or on it, nor what hangs over a run, which may be over any unit of that.
     """
     if not target.asked and dresses_nothing(scene, target):
         return "there was no room left for it at a window"
     tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
     needed = any(target.id in other.depends_on for other in plan.targets)
-    over = tie is not None and _is_of_run(plan, tie)
-    essential = is_essential(target.category, plan.brief.room_type) and not (over and tie and tie.kind == "above")
-    if target.asked or tie is None or needed or essential:
+    if target.asked or tie is None or needed:
+        return ""
+    over = _is_of_run(plan, tie)
+    spare = (over and tie.kind == "above") or (tie.kind in SEVERAL and tie.index > 0)
+    if is_essential(target.category, plan.brief.room_type) and not spare:
         return ""
     if over and any(measure(scene, tie.kind, target.id, (id,)).holds for id in _alike(plan, tie) if id in scene):
         return ""
     if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
-    if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
+    well = not _is_second_at_side(scene, plan, target, tie) and not _is_at_foot(scene, target, tie)
+    if well and measure(scene, tie.kind, target.id, tie.anchors).holds:
         return ""
     return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
 
@@ -330,6 +335,14 @@ def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bo
     )
     sides = [anchor.to_local((p.position[0], p.position[1]))[1] for p in (scene[id] for id in alike if id in scene)]
     return any(side * anchor.to_local((own.position[0], own.position[1]))[1] > 0.0 for side in sides)
+
+
+def _is_at_foot(scene: Scene, target: Target, tie: Tie) -> bool:
+    """Whether what belongs beside the head of a bed has come to stand beside its foot."""
+    bed, own = scene[tie.anchors[0]], scene[target.id]
+    if tie.kind != "next_to" or not facts_of(bed.category).is_in("beds"):
+        return False
+    return bed.to_local((own.position[0], own.position[1]))[0] > 0.0
 
 
 def _next(target: Target) -> tuple[str, ...]:

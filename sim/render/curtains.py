@@ -1,5 +1,7 @@
 """Curtains at the windows of a picture, where nothing stands in their way."""
 
+from typing import NamedTuple
+
 import numpy as np
 from shapely import Polygon
 
@@ -7,10 +9,6 @@ from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
-SIDE = 0.27
-"""How far a drawn-back curtain reaches beyond its window [m]."""
-OVER = 0.05
-"""How far it covers the pane [m]."""
 DEPTH = 0.13
 """How far it stands into the room [m]."""
 ROD = 0.09
@@ -20,23 +18,40 @@ _LONG, _SHORT, _OVER_SILL = 0.02, 0.12, 0.2
 FOLDS = 9
 
 
-def curtain_ends(scene: Scene) -> dict[str, float]:
-    """The height of the lower edge of the curtains of each window that has them [m], by the window's id.
+class Drape(NamedTuple):
+    """How the two curtains of a window hang [m].
 
-    They reach the floor where that is free on both sides, else the sill, or a little of the pane. All windows are
-    dressed alike: where one is hemmed in, or curtains are among the furniture, none has any.
+    Attributes:
+        bottom: height of their lower edge.
+        beyond: how far each reaches beyond the window.
+        over: how far it covers the pane.
+    """
+
+    bottom: float
+    beyond: float
+    over: float
+
+
+_WIDE, _CLOSE = (0.27, 0.05), (0.02, 0.22)
+"""How far curtains reach beyond a window and over its pane: drawn back beside it, and before it [m]."""
+
+
+def curtains_at(scene: Scene) -> dict[str, Drape]:
+    """How curtains hang at each window that has them, by the window's id.
+
+    They reach the floor where that is free on both sides, else the sill, or a little of the pane, and hang beside the
+    windows, or before the panes where something stands close beside one. All windows are dressed alike: where one is
+    hemmed in, or curtains are among the furniture, none has any.
     """
     if scene.surfaces.curtains is None or any("curtain" in p.category for p in scene.placements):
         return {}
-    found: dict[str, float] = {}
-    for opening in scene.room.openings:
-        if opening.kind == "window" and opening.sill > 0.3:
-            ends = (_LONG, opening.sill - _SHORT, opening.sill + _OVER_SILL)
-            end = next((end for end in ends if _is_free(scene, opening, end)), None)
-            if end is None:
-                return {}
-            found[opening.id] = end
-    return found
+    windows = [o for o in scene.room.openings if o.kind == "window" and o.sill > 0.3]
+    for beyond, over in (_WIDE, _CLOSE):
+        found = [_drape(scene, window, beyond, over) for window in windows]
+        hung = {window.id: drape for window, drape in zip(windows, found, strict=True) if drape is not None}
+        if len(hung) == len(windows):
+            return hung
+    return {}
 
 
 def top_of(opening: Opening, room: Room) -> float:
@@ -44,16 +59,23 @@ def top_of(opening: Opening, room: Room) -> float:
     return min(opening.sill + opening.height + ROD, room.height - 0.02)
 
 
-def sides_of(opening: Opening) -> tuple[Vec2, Vec2]:
+def sides_of(opening: Opening, drape: Drape) -> tuple[Vec2, Vec2]:
     """From where to where along the wall the two curtains of a window hang [m]."""
-    end = opening.offset + opening.width
-    return (opening.offset - SIDE, opening.offset + OVER), (end - OVER, end + SIDE)
+    start, end = opening.offset, opening.offset + opening.width
+    return (start - drape.beyond, start + drape.over), (end - drape.over, end + drape.beyond)
 
 
-def _is_free(scene: Scene, window: Opening, bottom: float) -> bool:
-    room = scene.room
+def _drape(scene: Scene, window: Opening, beyond: float, over: float) -> Drape | None:
+    """The longest curtains that hang free at a window; None where none do."""
+    ends = (_LONG, window.sill - _SHORT, window.sill + _OVER_SILL)
+    drapes = (Drape(end, beyond, min(over, window.width / 4)) for end in ends)
+    return next((drape for drape in drapes if _is_free(scene, window, drape)), None)
+
+
+def _is_free(scene: Scene, window: Opening, drape: Drape) -> bool:
+    room, bottom = scene.room, drape.bottom
     wall, top = room.walls[window.wall], top_of(window, room)
-    for start, end in sides_of(window):
+    for start, end in sides_of(window, drape):
         if start < 0.02 or end > wall.length - 0.02 or _meets_opening(room, window, start, end, bottom):
             return False
         area = _strip(wall, start, end)

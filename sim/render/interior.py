@@ -9,7 +9,7 @@ from shapely import Polygon, constrained_delaunay_triangles, get_coordinates, or
 
 from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.scene.surfaces import Covering, Surfaces
-from thinkblox.sim.render.curtains import FOLDS, sides_of, top_of
+from thinkblox.sim.render.curtains import FOLDS, Drape, sides_of, top_of
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, Colour, linear
 from thinkblox.sim.render.soup import ROOM, CoveredPlane, Patch, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
@@ -35,7 +35,7 @@ class Shell:
         ground: what is drawn of the ground that the room stands on; None for nothing.
         top: height of the standing walls [m], the room's when None.
         cut: colour of the walls' upper faces.
-        curtains: height of the lower edge of curtains [m], by the id of their window.
+        curtains: how they hang, by the id of their window.
         filled: whether doors have leaves, and windows frames and panes.
     """
 
@@ -43,7 +43,7 @@ class Shell:
     ground: Polygon | None = None
     top: float | None = None
     cut: Colour = CUT
-    curtains: Mapping[str, float] = field(default_factory=dict)
+    curtains: Mapping[str, Drape] = field(default_factory=dict)
     filled: bool = True
 
 
@@ -226,10 +226,10 @@ def _add_pane(frame: _WallFrame, opening: Opening) -> None:
         frame.box((middle - bar / 2, middle + bar / 2), depth, (bottom, top), frame.surfaces.trim, "trim", 0.003)
 
 
-def _add_curtains(frame: _WallFrame, opening: Opening, bottom: float, colour: Colour) -> None:
+def _add_curtains(frame: _WallFrame, opening: Opening, drape: Drape, colour: Colour) -> None:
     """A pleated curtain on either side of a window, on a rod."""
-    top = top_of(opening, frame.room)
-    (first, _), (_, last) = sides = sides_of(opening)
+    top, bottom = top_of(opening, frame.room), drape.bottom
+    (first, _), (_, last) = sides = sides_of(opening, drape)
     frame.box((first - 0.03, last + 0.03), (0.055, 0.075), (top - 0.01, top + 0.01), _HANDLE, "metal", 0.008)
     # The folds are of two tones in one plane: their own shadows are finer than the light's grid.
     red, green, blue = (0.9 * channel for channel in colour)

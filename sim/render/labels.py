@@ -15,6 +15,10 @@ Measure = Callable[[str, int], tuple[float, float]]
 """Width and height of a text at a font size [pixels]."""
 
 
+_OVER = 0.5
+"""Share of a thing that lies over its like where both have one label."""
+_HALO = 1 / 6
+"""Of a font's size is the width of the light line about a text."""
 CROWD = 7
 """From this many of a kind on, their names are short."""
 
@@ -67,6 +71,33 @@ def _names(placement: Placement, count: int) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
+def one_over_another(placements: Sequence[Placement]) -> list[tuple[Placement, ...]]:
+    """The placements, alike ones together that lie over each other: the bins on the boards of a shelf."""
+    stacks: list[list[Placement]] = []
+    for placement in placements:
+        alike = (s for s in stacks if (s[0].category, s[0].support) == (placement.category, placement.support))
+        over = (s for s in alike if placement.support != "floor" and _share_over(placement, s[0]) > _OVER)
+        stack = next(over, None)
+        if stack is None:
+            stacks.append([placement])
+        else:
+            stack.append(placement)
+    return [tuple(stack) for stack in stacks]
+
+
+def _share_over(placement: Placement, other: Placement) -> float:
+    """Share of a thing's footprint that lies over or under another's."""
+    return float(placement.footprint.intersection(other.footprint).area / placement.footprint.area)
+
+
+def name_of_all(members: Sequence[Placement]) -> tuple[str, ...]:
+    """What several of a kind are called together: "storage bin 1, 2, 4"."""
+    words = members[0].category.replace("_", " ").split()
+    numbers = ", ".join(member.id.rsplit("_", 1)[-1] for member in members)
+    names = (f"{' '.join(words)} {numbers}", "\n".join([*words[:-1], f"{words[-1]} {numbers}"]), numbers)
+    return tuple(dict.fromkeys(names))
+
+
 def laid_out(
     things: Sequence[Labelled], measure: Measure, *, size: int, fonts: Sequence[int], reserved: Sequence[Box] = ()
 ) -> tuple[Label, ...]:
@@ -96,7 +127,7 @@ def _placed(
     for rank, (name, font) in enumerate((name, font) for name in thing.names for font in fonts):
         width, height = measure(name, font)
         spots = _spots(thing, width, height)
-        half = np.array([width / 2 + 2, height / 2 + 1])
+        half = np.array([width / 2 + 1, height / 2]) + font * _HALO
         cost = _cost(spots, half, thing, things, taken, size) + 9.0 * rank
         least = int(np.argmin(cost))
         if best is None or cost[least] < best[0] - 1e-9:

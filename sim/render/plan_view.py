@@ -12,7 +12,7 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, plan_camera
 from thinkblox.sim.render.interior import THICKNESS, Shell, add_room
-from thinkblox.sim.render.labels import Box, Label, Labelled, laid_out, names_of
+from thinkblox.sim.render.labels import Box, Label, Labelled, laid_out, name_of_all, names_of, one_over_another
 from thinkblox.sim.render.legend import MOST_NAMED, Legend, legend_of, numbered
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
@@ -102,9 +102,13 @@ def plan_of(room: Room, *, margin: float = _MARGIN) -> Camera:
 
 
 def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box] = ()) -> tuple[Label, ...]:
-    """One label for each object, clear of the `reserved` boxes [pixels]."""
+    """One label for each object, or for alike ones over each other, clear of the `reserved` boxes [pixels]."""
     names = names_of(scene.placements)
-    things = [Labelled(p.id, names[p.id], pixel_box(camera, p, size)) for p in scene.placements]
+    things = [
+        Labelled(members[0].id, names[members[0].id] if len(members) == 1 else name_of_all(members), _box_of(boxes))
+        for members in one_over_another(scene.placements)
+        if (boxes := [pixel_box(camera, member, size) for member in members])
+    ]
     fonts = [_font_size(size, points) for points in (17, 14, 12)]
     return laid_out(things, text_size, size=size, fonts=fonts, reserved=reserved)
 
@@ -113,10 +117,15 @@ def plan_numbers(scene: Scene, camera: Camera, size: int, legend: Legend, reserv
     """One number for each object, or for all of a kind on one thing."""
     things = []
     for number, members in numbered(scene.placements, legend):
-        boxes = np.array([pixel_box(camera, member, size) for member in members])
-        (left, top), (right, bottom) = boxes[:, :2].min(0), boxes[:, 2:].max(0)
-        things.append(Labelled(members[0].id, (number,), (float(left), float(top), float(right), float(bottom))))
+        boxes = [pixel_box(camera, member, size) for member in members]
+        things.append(Labelled(members[0].id, (number,), _box_of(boxes)))
     return laid_out(things, text_size, size=size, fonts=[_font_size(size, 14), _font_size(size, 11)], reserved=reserved)
+
+
+def _box_of(boxes: Sequence[Box]) -> Box:
+    """The box about all of these."""
+    lefts, tops, rights, bottoms = zip(*boxes, strict=True)
+    return min(lefts), min(tops), max(rights), max(bottoms)
 
 
 def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> NDArray[np.uint8]:

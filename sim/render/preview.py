@@ -12,7 +12,7 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, Vector, framed
-from thinkblox.sim.render.curtains import curtain_ends
+from thinkblox.sim.render.curtains import curtains_at
 from thinkblox.sim.render.foreground import coverage, in_the_way
 from thinkblox.sim.render.frame import inside_walls
 from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, add_floor, add_room
@@ -165,7 +165,7 @@ def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
 
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None, hidden: Collection[str]) -> Soup:
     soup = Soup()
-    shell = Shell(view.standing, _shadowed(scene.room, _sun(view.azimuth)), curtains=curtain_ends(scene))
+    shell = Shell(view.standing, _shadowed(scene.room, _sun(view.azimuth)), curtains=curtains_at(scene))
     add_room(soup, scene.room, scene.surfaces, shell)
     add_objects(soup, scene, poses, hidden=hidden)
     return soup

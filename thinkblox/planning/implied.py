@@ -264,6 +264,8 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     for category in habit.anchors:
         anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
         anchors = [m for m in anchors if m.request is not waiting[0].request and not _is_its_own(m, waiting[0], habit)]
+        if habit.kind == "near" and load_habits().is_in(waiting[0].category, "lounges"):
+            anchors = [m for m in anchors if not _is_sat_about(members, m)]
         if habit.kind == "on" and load_habits().is_in(waiting[0].category, "built_in"):
             anchors.sort(key=lambda anchor: _built_into(members, anchor))
         waiting = _at_anchors(members, waiting, *_before_waiting(habit, anchors))
@@ -303,7 +305,7 @@ def _at_place(members: Members, waiting: list[Member], habit: Habit, *, windows:
     place = habit.anchors[0]
     if place == "window" and not windows:
         return waiting
-    if place == "centre" and any(tie.kind == "in_rows" for m in members.all for tie in m.ties):
+    if place == "centre" and any(_stands_amid(m) for m in members.all):
         return waiting
     if place == "centre" and len(waiting) > 1:
         return _in_rows(waiting)
@@ -311,6 +313,12 @@ def _at_place(members: Members, waiting: list[Member], habit: Habit, *, windows:
     for member in waiting[:free]:
         _put(member, habit, place)
     return waiting[free:]
+
+
+def _stands_amid(member: Member) -> bool:
+    """Whether it stands in rows amid the room, rather than along a wall."""
+    kinds = {tie.kind for tie in member.ties}
+    return "in_rows" in kinds and "against_wall" not in kinds
 
 
 def _in_rows(waiting: list[Member]) -> list[Member]:

@@ -55,11 +55,14 @@ _BESIDE, _IN_CORNER = 0.15, 0.9
 
 def needed_area(brief: Brief) -> float:
     """Floor that the brief's furniture takes with the space to use it, and not much less than is usual [m2]."""
-    typical = room_type(brief.room_type).area
     if brief.empty:
         return max(_EMPTY_AREA, furniture_area(brief))
-    area = max(furniture_area(brief), _TYPICAL_SHARE * typical)
-    return max(area, _walls_area(brief))
+    return max(furniture_area(brief), least_area(brief), _walls_area(brief))
+
+
+def least_area(brief: Brief) -> float:
+    """Floor that a room of its type has at least, whatever stands in it [m2]."""
+    return _TYPICAL_SHARE * room_type(brief.room_type).area
 
 
 def furniture_area(brief: Brief) -> float:

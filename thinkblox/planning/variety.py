@@ -17,7 +17,7 @@ from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_t
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.knowledge.variety import Option, do_alike, varieties
 from thinkblox.planning.rooms import is_open
-from thinkblox.planning.space import furniture_area, run_length
+from thinkblox.planning.space import furniture_area, least_area, run_length
 
 _BARE = 1
 """Things that a prompt names at most, of which most is left open."""
@@ -25,10 +25,14 @@ _LEAST = 4
 """Kinds of things that are assumed at least where a room is furnished for its name."""
 _SKETCHED = 5
 """Who names so many kinds of things has said what the room holds."""
+_TOLD = 6
+"""Who names so many lacks nothing that is only usual."""
 _OUT, _IN = (0, 1, 2, 3), (1, 2, 3, 4)
 """How many kinds of things are left out where all is open, and how many come in."""
 _IN_SKETCHED = (1, 2, 3)
 """How many kinds of things come in where some are named."""
+_FOR_FLOOR = 3
+"""So many more come in where what is there needs less floor than such a room has at least."""
 _FINISHES = 2
 """How many kinds of things on walls and floor come in where much is named."""
 _CLOSE = 1.3
@@ -50,8 +54,9 @@ _SALT = 2_000_003
 def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     """The brief with some of what it assumes left out, and with some more, as rooms of its type differ.
 
-    What a prompt names stays, with what that needs, and what every such room has. Who names many things, or says how
-    they stand to each other, gets these, and something on the walls and the floor; who wants nothing else gets that.
+    What a prompt names stays, with what that needs, and what every such room has. Who says how things stand to each
+    other gets these, and something on the walls and the floor besides; who names many gets only the latter, and who
+    wants nothing else gets that.
     The same seed gives the same.
 
     Args:
@@ -61,10 +66,10 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
     """
     bare = _is_bare(brief)
     rng = np.random.default_rng((seed, _SALT))
-    if brief.empty:
+    if brief.empty or not brief.requests:
         return brief
     if not (bare or _is_sketched(brief)):
-        return brief if fill == "named" else _finished(_complete(brief, rng, fill, always=True), rng, fill)
+        return brief if fill == "named" else _finished(_complete(brief, rng, fill, always=_is_told(brief)), rng, fill)
     gone: set[str] = set()
     if bare:
         brief, gone = _lessened(brief, rng)
@@ -99,11 +104,17 @@ def _with_some(
     rng: np.random.Generator,
     fill: Fill,
 ) -> Brief:
-    """The brief with `count` of the options, as far as there is a place for them."""
+    """The brief with `count` of the options, as far as there is a place for them, and more where much floor is bare."""
+    come, most = 0, count + _FOR_FLOOR
     for at in map(int, rng.permutation(len(options))):
+        taken = furniture_area(brief)
+        if come >= (most if taken < least_area(brief) else count):
+            break
         wanted = _wanted(brief, options[at], gone)
-        if count and wanted and _has_room(brief, more := _with(brief, wanted, fill)):
-            brief, count = more, count - 1
+        more = _with(brief, wanted, fill)
+        stands = come < count or furniture_area(more) > taken
+        if wanted and stands and _has_room(brief, more):
+            brief, come = more, come + 1
     return brief
 
 
@@ -114,6 +125,8 @@ def _complete(brief: Brief, rng: np.random.Generator, fill: Fill, *, always: boo
         there = {request.category for request in brief.requests}
         taken = {request.category for request in brief.requests if _is_taken_up(brief, request)}
         if (always and not need.always) or not need.arises(there) or any(map(need.is_met_by, there - taken)):
+            continue
+        if _is_sparse(brief) and all(_is_finish(option[0].category) for option in need.options):
             continue
         unlike = (*need.despite.split(", "), *taken)
         found = [_wanted(brief, option, (), unlike) for option in need.options]
@@ -146,6 +159,11 @@ def _is_sketched(brief: Brief) -> bool:
     arranged = any(r.asked and r.kind not in _DRAWN_UP and not keys.isdisjoint(r.anchors) for r in brief.relations)
     core = room_type(brief.room_type).core
     return not (arranged and any(are_alike(name, request.category) for name in core for request in asked))
+
+
+def _is_told(brief: Brief) -> bool:
+    """Whether so many kinds of things are named that what is not is not wanted."""
+    return len({request.category for request in brief.requests if request.asked}) >= _TOLD
 
 
 def _is_sparse(brief: Brief) -> bool:
@@ -233,6 +251,8 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
+    if any(request.asked and _is_named(first, request.category) for request in brief.requests):
+        return ()
     wanted: list[Usual] = []
     for usual in option:
         drawn_up = any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
@@ -243,8 +263,30 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
         found = [(kind, _anchor(brief, anchors, wanted)) for kind, anchors, _ in usual.relations]
         if named or unwanted or not all(anchor for _, anchor in found) or _is_taken(brief, usual, found):
             return ()
+        if any(kind == "at_foot_of" and _count(brief, anchor) > 1 for kind, anchor in found):
+            return ()
         wanted.append(usual)
     return tuple(wanted)
+
+
+def _count(brief: Brief, key: str) -> int:
+    """How many of a request there are; one of a place."""
+    return next((request.count for request in brief.requests if request.key == key), 1)
+
+
+def _stands_in_line(request: Request) -> bool:
+    """Whether it is several beds, which stand side by side: what is beside them is between any two."""
+    return request.count > 1 and load_habits().is_in(request.category, "in_line", "beds")
+
+
+def _is_named(category: str, name: str) -> bool:
+    """Whether who names a <name> has said what there is of such things: a mop bucket is a bucket, a poster a picture.
+
+    One kind of chairs to lean back in is enough.
+    """
+    pictures = varieties().pictures.split(", ")
+    seats = load_habits().is_in(category, "lounges") and are_alike(category, name)
+    return category.endswith(f"_{name}") or {category, name} <= {*pictures} or seats
 
 
 def _does_for(name: str, wanted: str) -> bool:
@@ -304,6 +346,8 @@ def _with(brief: Brief, option: Option, fill: Fill) -> Brief:
             anchor = _anchor(brief, anchors)
             owner = next((request for request in brief.requests if request.key == anchor), None)
             count *= owner.count if each and owner is not None else 1
+            if kind == "next_to" and owner is not None and _stands_in_line(owner):
+                count = owner.count - 1
             relations.append(
                 Relation(
                     kind=cast(RelationKind, kind),

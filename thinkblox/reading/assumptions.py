@@ -29,6 +29,8 @@ _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
+_BEFORE = (*_DRAWN_UP, "in_front_of")
+"""The same, and where a prompt says it in other words."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED, _MOST_STOCKED = 12, 30
@@ -212,7 +214,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
             continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
-        drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
+        drawn = [t for t in seats if any(b.kind in _BEFORE and table in b.anchors for b in draft.bonds_of(t))]
         own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
         there = [t for t in there if _is_high_enough(t)] if _is_desk(table) else there
@@ -320,13 +322,13 @@ def _is_bare(draft: Draft) -> bool:
 def _is_sketched(draft: Draft) -> bool:
     """Whether the prompt names the room and a few things, rather than all that it is to hold.
 
-    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for; to
-    give a table its chairs is not to say that.
+    Who says how things of different kinds stand to each other has the room before their eyes, unless none of them is
+    what it is for; to give a table its chairs is not to say that.
     """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
     told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
-    arranged = any(isinstance(a, Mention) for b in told for a in b.anchors)
+    arranged = any(isinstance(a, Mention) and a is not b.subject for b in told for a in b.anchors)
     core = room_type(draft.room).core
     return not (arranged and any(are_alike(name, thing.noun) for name in core for thing in draft.things))
 
@@ -337,9 +339,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     counted = {t.noun for t in draft.things if t.asked and t.count is not None and t.noun in things()}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
-        there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
+        one = {thing.noun for thing in draft.things if _is_of_one(draft, thing, usual)}
+        there = any(_serves(noun, usual) for noun in present - one)
+        there |= any(_is_one(n, usual.category) for n in draft.excluded)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
-        there |= any(counts_as(usual.category, noun) for noun in counted)
+        there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
         if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
@@ -357,6 +361,14 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _is_of_one(draft: Draft, thing: Mention, usual: Usual) -> bool:
+    """Whether it is that of who teaches many: a single desk, or its chair, where each of many has a place."""
+    place = room_type(draft.room).place
+    single = thing.asked and thing.count == 1 and usual.count > _CROWDED
+    own = usual.category == place and thing.noun != place
+    return single and bool(place) and (own or any(each and a == place for _, a, each in usual.relations))
 
 
 def _is_seated(draft: Draft, table: Mention | None) -> bool:
@@ -397,6 +409,7 @@ def _is_of_other(draft: Draft, thing: Mention) -> bool:
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
     """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    seats = [t for t in seats if not _is_of_one(draft, t, usual)]
     uncounted = [t for t in draft.things if t.asked and t.count is None and t.plural and not draft.bonds_of(t)]
     hung = [t for t in uncounted if _serves(t.noun, usual)]
     for kind, anchors, each in usual.relations:
@@ -423,10 +436,15 @@ def _serves(noun: str, usual: Usual) -> bool:
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
     if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
         return True
-    if load_habits().is_in(usual.category, "built_in_line", "worktops") and _is_mere_storage(noun):
+    if _is_too_little(noun, usual):
         return False
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
+
+
+def _is_too_little(noun: str, usual: Usual) -> bool:
+    """Whether worktops are expected, and a <noun> is a cupboard."""
+    return load_habits().is_in(usual.category, "built_in_line", "worktops") and _is_mere_storage(noun)
 
 
 def _is_mere_storage(noun: str) -> bool:

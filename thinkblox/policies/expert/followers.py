@@ -184,7 +184,7 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
 
 def _wall_below_taken(situation: Situation, rects: Rects) -> Array:
     """Who writes on a board or throws darts stands before it: furniture there, with its chair, is in the way."""
-    if situation.facts.is_in("boards"):
+    if situation.facts.is_in("written_on"):
         return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
     costs = np.zeros(len(rects))
     for use in situation.facts.uses:
@@ -196,7 +196,7 @@ def _hidden(situation: Situation, rects: Rects) -> Array:
     """What it costs that something stands right before what hangs: a mirror behind a coat rack."""
     before = beside(rects, "front", HIDES)
     seen = Rects(before.centre, before.half, before.yaw, rects.bottom, rects.top)
-    cost = NOT_WRITTEN_ON if situation.facts.is_in("boards") else HIDDEN
+    cost = NOT_WRITTEN_ON if situation.facts.is_in("written_on") else HIDDEN
     return np.asarray(cost * (overlap_depth(seen, situation.solids) > 0.01).any(-1))
 
 

@@ -29,7 +29,7 @@ from thinkblox.policies.expert import (
 )
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.needs import WORKING, backs_worker
-from thinkblox.policies.expert.sight import comes_across
+from thinkblox.policies.expert.sight import BACK_TO_VIEW, comes_across
 from thinkblox.policies.expert.situation import Situation, is_lounge, is_seat
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.landmarks import Landmark, corners, things
@@ -637,7 +637,12 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
     if situation.asset.mount == "wall":
         yield from hung.opposite(situation, anchor)
         return
-    yield from walls.opposite(situation, anchor)
+    pair = situation.placed(tie.anchors)
+    mutual = len(pair) > 1 and walls.look_at_each_other(pair[0], pair[1])
+    if mutual:
+        yield from walls.beside_pair(situation, pair[0], pair[1])
+    for idea in walls.opposite(situation, anchor):
+        yield _dearer(idea, BACK_TO_VIEW if mutual else 0.0)
 
 
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:

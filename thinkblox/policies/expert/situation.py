@@ -360,8 +360,8 @@ def is_lounge(category: str) -> bool:
 
 
 def is_board(category: str) -> bool:
-    """Whether one stands before such a thing to write on it, or to show something."""
-    return facts_of(category).is_in("boards")
+    """Whether one stands before such a thing to write on it."""
+    return facts_of(category).is_in("written_on")
 
 
 def is_large(size: Vec3) -> bool:

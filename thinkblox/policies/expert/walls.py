@@ -10,7 +10,7 @@ from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.situation import WINDOW_DEPTH, Situation
 from thinkblox.scene.placement import Placement
-from thinkblox.scene.room import Room, Wall
+from thinkblox.scene.room import Room, Wall, turn_between
 from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
@@ -30,6 +30,8 @@ TORN_APART = 3.0
 """Cost of a place by the walls that is not in the row of what stands in one."""
 FOCAL, ATTENDED = 0.9, 3.0
 """What it costs to stand at the end of a wall, where the middle is best, and for what rows of seats look at."""
+FACE_TO_FACE = 30.0
+"""So far may two that face each other be turned from that [deg]."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -237,6 +239,29 @@ def _too_far(situation: Situation, anchor: Placement, inward: float) -> float:
         return 0.0
     free = inward - anchor.size[0] / 2 - situation.size[0]
     return 1.5 * max(0.0, VIEW_RANGE[0] - free) + 0.6 * max(0.0, free - VIEW_RANGE[1])
+
+
+def look_at_each_other(one: Placement, other: Placement) -> bool:
+    """Whether two stand face to face."""
+    ahead = (a.to_local((b.position[0], b.position[1]))[0] for a, b in ((one, other), (other, one)))
+    return all(x > 0.0 for x in ahead) and turn_between(one.yaw, other.yaw + 180.0) < FACE_TO_FACE
+
+
+def beside_pair(situation: Situation, one: Placement, other: Placement) -> Iterator[Idea]:
+    """Against a wall to one side of two seats that face each other: both see it, and neither has its back to it."""
+    middle = ((one.position[0] + other.position[0]) / 2, (one.position[1] + other.position[1]) / 2)
+    for wall in situation.room.walls:
+        along, inward = wall.coordinates(middle)
+        _, (_, width) = oriented(situation.size, situation.asset.front)
+        low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
+        across = abs(math.cos(math.radians(wall.yaw - one.yaw))) < math.cos(math.radians(FACE_TO_FACE))
+        if inward < 1.0 or high < low or not across:
+            continue
+        for shift in (0.0, -0.2, 0.2, -0.4, 0.4):
+            place = min(max(along + shift, low), high)
+            cost = ASIDE * abs(place - along) + _too_far(situation, one, inward)
+            why = f"{one.id} and {other.id}, which face each other, both see it"
+            yield at_wall(situation, wall, place, cost=cost, why=why)
 
 
 def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:

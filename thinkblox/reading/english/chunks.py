@@ -29,6 +29,7 @@ class Noun:
         ordinal: 1 for the first, -1 for the last; 0 where nothing is said.
         side: "left", "right" or "middle", where that tells it from others of its kind.
         rows, groups: how many rows or groups it is said to form, -1 for "rows" without a number.
+        walled: each row takes up a wall: "a wall of bookcases".
         group: the word for the groups ("island").
         unshown: modifiers that we know nothing about.
         seats: how many people it is for.
@@ -64,6 +65,7 @@ class Noun:
     ordinal: int = 0
     side: str = ""
     rows: int = 0
+    walled: bool = False
     groups: int = 0
     group: str = ""
     attributes: list[str] = field(default_factory=list)

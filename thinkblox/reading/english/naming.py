@@ -8,6 +8,7 @@ from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.quantities import SHELVES, is_shelved
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -266,6 +267,8 @@ class Naming(Several):
         count = noun.count if noun.count is not None else (None if several else 1)
         if noun.value == "seat" and not noun.named:
             noun.value = "chair"
+        if noun.walled and is_shelved(noun.value):
+            noun.value = SHELVES
         if noun.share:
             count = self._share_of(noun)
         cornered = "corner" in noun.text.lower().split()[:-1] and not noun.value.startswith("corner")
@@ -288,7 +291,9 @@ class Naming(Several):
             self.draft.bonds.append(Bond("in_corner", thing, ("corner",), asked=_ANGLED not in noun.attributes))
         if "facing" in noun.text.lower().split()[:-1] and noun.many:
             self.draft.bonds.append(Bond("facing", thing, (thing,)))
-        if noun.rows:
+        if noun.walled:
+            self.draft.bonds.append(Bond("against_wall", thing, ("wall",), spread=noun.rows if noun.rows > 1 else 0))
+        if noun.rows and not (noun.walled and noun.rows > 1):
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
         self.referents.speak(thing)
         return thing

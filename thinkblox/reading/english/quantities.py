@@ -1,6 +1,8 @@
 """What stands before the nouns of a phrase: determiners, numbers, measures."""
 
+from thinkblox.assets import kind_of
 from thinkblox.assets.plurals import singular
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
@@ -11,6 +13,8 @@ _STACKS = ("stack", "pile", "heap")
 _OF_MATTER = ("sheet", "ball", "cube", "lump", "slice", "mountain")
 """Measures of things that we know; of others they are things themselves: "a ball of fire"."""
 _KINDS = ("kind", "type", "sort")
+SHELVES = "bookcase"
+"""What stands where a wall is said to be of what lies on it: "a wall of books"."""
 _WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", *_KINDS)
 """Measures of which one is one thing: "a roll of paper", "the kind of sofa"."""
 
@@ -223,11 +227,13 @@ class Quantities(Words):
             return 0
         if word.rstrip("s") in _OF_MATTER and inner_thing is None:
             return 0
+        if found.value == "wall" and not self._lines_a_wall(at + found.length):
+            return 0
         outer, noun.count = noun.count, None
         noun.plural = True
         match found.value:
-            case "row":
-                noun.rows = outer or (-1 if several else 1)
+            case "row" | "wall":
+                noun.rows, noun.walled = outer or (-1 if several else 1), found.value == "wall"
             case "group":
                 noun.groups, noun.group = outer or (-1 if several else 1), singular(word)
             case _:
@@ -244,6 +250,12 @@ class Quantities(Words):
             noun.count = inner[0] * (noun.rows or noun.groups)
             return found.length + inner[1]
         return found.length
+
+    def _lines_a_wall(self, at: int) -> bool:
+        """Whether a thing that takes up a wall comes, after its number where it has one."""
+        number = self._number(at)
+        thing = self.thing_at(at + (number[1] if number is not None else 0))
+        return thing is not None and lines_a_wall(thing.entry.value)
 
     def _bounds_follow(self, at: int) -> bool:
         """Whether "at least three", "several" comes, so that a pile is of as many."""
@@ -274,7 +286,7 @@ class Quantities(Words):
         if self.tokens[at].text not in grammar().lists["lining"] or not (noun.det or noun.count is not None):
             return 0
         found = grammar().at(self.tokens, at + 1, "measures") if at + 1 < len(self.tokens) else None
-        return 1 if found is not None and found.value == "row" else 0
+        return 1 if found is not None and found.value in ("row", "wall") else 0
 
     def _partitive(self, noun: Noun, at: int) -> int:
         """Read the "of the" in "two of the towels", "three of them", "half of those"."""
@@ -303,3 +315,16 @@ class Quantities(Words):
             return 0
         noun.size = found[0]
         return found[1] - at
+
+
+def lines_a_wall(category: str) -> bool:
+    """Whether several of it, or of what it stands on, take up a wall: bookcases, mirrors, books."""
+    habits = load_habits()
+    usual = habits.of(category) if habits.is_in(category, "storage") else habits.of(category)[:1]
+    stands = any(habit.kind == "against_wall" for habit in usual)
+    return stands or kind_of(category).mount == "wall" or is_shelved(category)
+
+
+def is_shelved(category: str) -> bool:
+    """Whether a bookcase that is full is full of it."""
+    return load_habits().is_in(category, "fills_shelves")
