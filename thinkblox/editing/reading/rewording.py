@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.editing.grammar import longest
+from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import DEGREES
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
@@ -211,3 +211,38 @@ def _kinds(lexicon: Lexicon, name: str) -> list[str]:
     found = lexicon.longest(tokens, 0)
     named = [entry.value for entry in found.entries if entry.sort == "object"] if found.length == len(tokens) else []
     return [name.lower().replace(" ", "_"), *named]
+
+
+def without_commas(tokens: list[Token]) -> list[Token]:
+    """The tokens with no comma between two adjectives: "a bigger, round one"."""
+    return [token for at, token in enumerate(tokens) if not (token.text == "," and _is_of_adjectives(tokens, at))]
+
+
+def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
+    if at < 2 or at + 2 > len(tokens):
+        return False
+    adjective = means("comparatives", tokens[at - 1].text) or means("sizes", tokens[at - 1].text)
+    begun = tokens[at - 2].text in ("a", "an", "the", "another", "some")
+    return bool(adjective) and begun and tokens[at + 1].kind == "word" and tokens[at + 1].text not in ("and", "please")
+
+
+def included(tokens: list[Token]) -> list[Token]:
+    """The tokens, where "turn the table, chairs included" says that it is turned with its chairs."""
+    read = list(tokens)
+    for at in reversed([n for n, token in enumerate(tokens) if means("included", token.text) or _is_too(tokens, n)]):
+        comma = next((n for n in range(at - 1, max(at - 4, 0), -1) if read[n].text == ","), None)
+        if comma is not None and comma < at - 1:
+            own = () if read[comma + 1].text in ("the", "its", "their") else tokenise("its")
+            said = [replace(token, start=-1) for token in (*tokenise("with"), *own)]
+            read[comma : at + 1] = [*said, *read[comma + 1 : at]]
+    return read
+
+
+def _is_too(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is that of ", chairs too": a bare word between a comma and it."""
+    return (
+        tokens[at].text == "too"
+        and at > 1
+        and tokens[at - 2].text == ","
+        and tokens[at - 1].text not in ("it", "them", "this", "that", "these", "those")
+    )
