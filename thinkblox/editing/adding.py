@@ -13,7 +13,7 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Unhidden
+from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
@@ -33,6 +33,7 @@ from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
@@ -123,7 +124,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
-        goals += [At(spot.position[:2], THERE) for spot in left]
+        goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
@@ -135,6 +136,13 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _there_where(work: Work, spot: Placement, category: str) -> list[Goal]:
+    """At the spot of something that is gone: on the floor where that stood on it, and not on what is nearby."""
+    stands = spot.support == "floor" and work.source.usual(category)[1] in ("floor", "surface")
+    there: Goal = Spot(spot.position[:2], THERE, old=spot)
+    return [there, Related("on", ("floor",))] if stands else [there]
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
@@ -343,6 +351,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     if any(isinstance(goal, Laid) for goal in goals):
         direct = chain(likely(work.scene, asset, goals), direct)
+    direct = chain(_where_it_was(asset, goals), direct)
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
@@ -364,6 +373,13 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The very place of what stood on the floor where something comes now, turned as that was."""
+    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
+        if asset.mount == "floor" and old.support == "floor":
+            yield (*old.position[:2], 0.0), old.yaw
 
 
 def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:

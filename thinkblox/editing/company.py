@@ -14,8 +14,10 @@ from thinkblox.editing.spots import BESIDE, Pose
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.nearby import BACK_GAP
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -39,6 +41,8 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     if mates:
         bring_together(work, id, mates, do)
         return
+    if bring_overhead(work, [id], do):
+        return
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
     seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
@@ -59,6 +63,31 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     work.done += alone[3]
     work.wishes += alone[4]
     _say_left(work, id, seats)
+
+
+def bring_overhead(work: Work, ids: Sequence[str], do: Callable[[], None]) -> bool:
+    """Do something with things over which something hangs that goes where they go, as a hood with its stove.
+
+    False where nothing does, or where it cannot come along: then nothing is done.
+    """
+    over = {
+        p.id: id
+        for p in work.scene.placements
+        for id in ids
+        if facts_of(p.category).is_in("goes_along_below")
+        and p.id not in work.kept
+        and measure(work.scene, "above", p.id, (id,)).holds
+    }
+    if not over:
+        return False
+    saved, said = work.saved(), (len(work.failed), len(work.notes))
+    below = next(iter(over.values()))
+    bring_together(work, below, [name for name, id in over.items() if id == below], do)
+    if len(work.failed) == said[0]:
+        return True
+    work.restore(saved)
+    del work.failed[said[0] :], work.notes[said[1] :]
+    return False
 
 
 def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
@@ -186,7 +215,8 @@ def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str
     goals: list[Goal] = [drawn if kind == "at" else At(pose[0][:2], min(ASIDE, max(moved / 2, EXACT)))]
     ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)
     target = work.target(mate, old.category, ties, asset.attributes)
-    reaching = Reaching(work, target, asset, goals, direct=(pose,), begin=pose)
+    poses = (pose, _hung(work.scene, asset, pose)) if asset.mount == "wall" else (pose,)
+    reaching = Reaching(work, target, asset, goals, direct=poses, begin=poses[-1])
     if not reaching.run():
         return reaching.why
     for rider in put_back(work, old, [p for p in taken if p.id != mate], before):
@@ -194,6 +224,14 @@ def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str
         if not place_anew(work, lost, carriers=(mate,)):
             return f"{rider} could not go along with {mate}"
     return ""
+
+
+def _hung(scene: Scene, asset: Asset, pose: Pose) -> Pose:
+    """The same place right at the wall that is nearest to it."""
+    (x, y, z), _ = pose
+    wall = min(scene.room.walls, key=lambda wall: abs(wall.coordinates((x, y))[1]))
+    spot = wall.point(wall.coordinates((x, y))[0], asset.size[0] / 2 + BACK_GAP)
+    return (*spot, z), wall.yaw
 
 
 def _along(mate: Placement, old: Placement, new: Placement) -> Pose:

@@ -60,7 +60,7 @@ Doer = Callable[[Work, Finder, Order], None]
 _ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
 _TURNABLE = ("replace", "move", "put", "add", "make", "swap")
 """Orders after which "keep them facing the window" says how what they were about is turned."""
-_CARRYING = ("move", "put", "turn")
+_CARRYING = ("move", "put", "turn", "replace", "make")
 _ON_EITHER = ("remove", "replace", "make", "move", "turn")
 _RESTING = ("on", "in", "inside", "on_top", "from")
 
@@ -301,6 +301,7 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     if hangs_down(work, finder, order):
         hang(work, finder, order)
         return
+    _point_at_known(finder, order)
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if _is_preferred(finder, order):
@@ -319,6 +320,17 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
             finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _point_at_known(finder: Finder, order: Order) -> None:
+    """Let what is named without a verb, and without an article, be what is there: "wardrobe next to the door"."""
+    if longest("verbs", tokenise(order.text.lower()), 0) is not None:
+        return
+    for phrase in order.things:
+        noun = phrase.noun
+        bare = noun.kind == "thing" and not (noun.det or noun.count or noun.id or noun.degree)
+        if bare and phrase.places and finder.matching(noun):
+            phrase.noun = dataclasses.replace(noun, det="the")
 
 
 def _is_preferred(finder: Finder, order: Order) -> bool:

@@ -540,6 +540,19 @@ class Spot(At):
 
 
 @dataclass(frozen=True)
+class Traded(Untied):
+    """It stands nearer to where another thing stood than to where it stood itself."""
+
+    point: Vec2
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is from either place."""
+        old, new = before[id].position[:2], after[id].position[:2]
+        says = f"{id} {math.dist(new, self.point):.2f} m from there and {math.dist(new, old):.2f} m from where it was"
+        return math.dist(new, self.point) < math.dist(new, old), says
+
+
+@dataclass(frozen=True)
 class Along(Untied):
     """It has moved in a direction of the room (unit vector), further than to either side of it."""
 

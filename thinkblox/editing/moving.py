@@ -445,9 +445,10 @@ def _split(
     if told and phrase.noun.definite and (len(told) < len(rest) or order.mutual or order.together):
         here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
-    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
-        return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
+    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
+        at = len(rest) if directed is None or not order.closer else directed
+        return [*here, *rest[:at]], rest[at:]
     if directed is not None and directed > 0:
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]

@@ -10,9 +10,9 @@ from msgspec import structs
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
-from thinkblox.editing.company import REACH, mates_of, with_company
+from thinkblox.editing.company import REACH, bring_overhead, mates_of, with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal, Region, Within
+from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose, along_walls, at_wall
@@ -79,8 +79,14 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    one, other = ids
-    before = work.scene
+    if not bring_overhead(work, ids, lambda: _exchange(work, *ids)):
+        _exchange(work, *ids)
+    finder.recent = ids
+
+
+def _exchange(work: Work, one: str, other: str) -> None:
+    """Let two things change places: exactly, or as near to that as each can stand."""
+    ids, before = (one, other), work.scene
     action = Swap(id=one, other=other)
     after = before.apply(action)
     verdict = work.world.ruled_out(action) or work.world.measure(action)
@@ -114,7 +120,6 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         where = f"{away:.2f} m from" if away > AWAY else "to"
         why = f"; exactly exchanged, {verdict}" if away > AWAY and not verdict.valid else ""
         work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was{why}")
-    finder.recent = ids
 
 
 def _swap_with_company(work: Work, finder: Finder, order: Order) -> None:
@@ -148,7 +153,9 @@ def _swap_nearby(work: Work, one: str, other: str) -> str:
         partner = before[other if id == one else one]
         reach = SWAPPED + (max(before[id].size[:2]) + max(partner.size[:2])) / 4
         asset, pose = work.assets[before[id].asset], exchanged[id]
-        goals: list[Goal] = [At(partner.position[:2], reach)]
+        goals: list[Goal] = [At(partner.position[:2], reach), Traded(partner.position[:2])]
+        if at_wall(before, id) and at_wall(before, partner.id):
+            goals.append(Related("against_wall", ("wall",)))
         target = work.target(id, before[id].category, (), asset.attributes)
         walled = along_walls(work.scene, asset, partner.position[:2], reach) if at_wall(before, id) else ()
         poses = chain(walled, _about(work, id, pose))

@@ -751,6 +751,8 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
         second = where.second
         more = (second.value,) if second.kind == "place" else finder.ids(NounPhrase(second))
         anchors = (*anchors, *more)
+    if not anchors:
+        raise InputError(f"'{_text(where)}': there is nothing yet that '{noun.text}' could be")
     kind = _fitting(kind, where, category, anchors[0], finder)
     if kind in ("in_front_of", "at") and facts_of(category).is_in("small") and len(anchors) == 1:
         table = _table_of(finder.scene, anchors[0])

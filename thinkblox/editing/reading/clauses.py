@@ -88,9 +88,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
     tokens = _led(tokens)
-    starts = _going_on(tokens, list(_starts(tokens))) or _asked_for(tokens)
-    lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
-    starts, lead = _unwanted(tokens, starts, lead)
+    starts, lead = _begun(tokens)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
     new = _obtained(lead)
     lead = [] if about or disliked or new or _is_reason(lead) else lead
@@ -129,6 +127,16 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made += _denied(clause) if start.denied else [clause]
     return made
+
+
+def _begun(tokens: Sequence[Token]) -> tuple[list[_Start], Sequence[Token]]:
+    """Where the clauses begin, and what comes before the first."""
+    starts = _going_on(tokens, list(_starts(tokens))) or _asked_for(tokens)
+    lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
+    if starts and _is_terse(lead):
+        starts = [_Start(_first(lead), _first(lead), "want"), *starts]
+        lead = tokens[: starts[0].begin]
+    return _unwanted(tokens, starts, lead)
 
 
 def _going_on(tokens: Sequence[Token], starts: list[_Start]) -> list[_Start]:
@@ -340,10 +348,28 @@ def _is_reason(lead: Sequence[Token]) -> bool:
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:
-    """What is asked for without a verb: "a bigger bed please"."""
-    asked = any(token.text in ("please", "pls", "plz") for token in tokens)
+    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa"."""
+    asked = any(token.text in ("please", "pls", "plz") for token in tokens) or _is_terse(tokens)
     first = _first(tokens)
     return [_Start(first, first, "want")] if asked and first < len(tokens) else []
+
+
+def _is_terse(tokens: Sequence[Token]) -> bool:
+    """Whether words name a thing and where or how it is to be, and no more: "bigger mirror", "desk under the window".
+
+    What tells or asks something has a verb, what names nothing but a place begins with that.
+    """
+    first = _first(tokens)
+    said = [token for token in tokens[first:] if token.text not in (*ENDS, ",", "and")]
+    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or means("anybody", said[0].text):
+        return False
+    verbs = any(
+        grammar().at(said, n, "verbs", "conditions") is not None
+        or any(longest(s, said, n) for s in ("conditions", "statements", "dislikes", "denials", "verbs"))
+        for n in range(len(said))
+    )
+    placed = any(grammar().at(said, n, "prepositions") is not None for n in range(1, len(said) - 1))
+    return not verbs and (placed or bool(means("comparatives", said[0].text)))
 
 
 def _is_last(tokens: Sequence[Token], at: int) -> bool:
@@ -537,7 +563,7 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
         if before not in (*ENDS, *_LINKS) and not (index and _is_filler(left[:index], left[index - 1])):
             continue
         for after in range(index + 2, len(left)):
-            joined = left[after].text in _LINKS and not _start_of_verb(left, after + 1)
+            joined = left[after].text in _LINKS and not starts_with_verb(left, after + 1)
             if left[after].text in (*ENDS, *_LINKS) and not joined:
                 break
             if means("particles", left[after].text) and _parted(left, index, after):
@@ -658,12 +684,13 @@ def _coordinated(tokens: Sequence[Token], start: _Start) -> int:
             return index + wish[1] if wish is not None else start.body
         if tokens[index].text == "," or longest("wishes", tokens, index) is not None:
             return start.body
-        if tokens[index].text in _LINKS and _start_of_verb(tokens, index + 1):
+        if tokens[index].text in _LINKS and starts_with_verb(tokens, index + 1):
             return start.body
     return start.body
 
 
-def _start_of_verb(tokens: Sequence[Token], at: int) -> bool:
+def starts_with_verb(tokens: Sequence[Token], at: int) -> bool:
+    """Whether an order may begin there, in the middle of a sentence."""
     return at < len(tokens) and _verb(tokens, at, first=False) is not None
 
 

@@ -11,6 +11,7 @@ from thinkblox.editing.reading.clauses import Clause, clauses, without_announcem
 from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
 from thinkblox.editing.reading.order_reader import read_order
+from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
     in_between,
     included,
@@ -19,6 +20,7 @@ from thinkblox.editing.reading.rewording import (
     uncontracted,
     with_heads,
     with_ids,
+    with_new_on_it,
     with_owners,
     without_commas,
 )
@@ -48,7 +50,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [without_slip(lexicon, token) for token in lexicon.tokens(plain)])
-    said = something_instead(reworded(with_owners(lexicon, with_heads(lexicon, read))))
+    owned = with_owners(lexicon, with_heads(lexicon, without_purposes(read)))
+    said = something_instead(reworded(with_new_on_it(owned)))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)

@@ -60,7 +60,7 @@ def _how(draft: Draft, mark: OrderMark) -> None:
 
 def _flank(draft: Draft, side: str) -> None:
     """Read "next to the laptop, on its left"; where nothing was named but the thing itself, it is a direction."""
-    anchors = draft.anchors or ([] if draft.places_of_last() else draft.former)
+    anchors = draft.anchors or ([] if draft.places_of_last() else _named_before(draft))
     if anchors and draft.order.things:
         draft.order.things[-1].places.append(Where(f"{side}_of", anchors[-1], text=f"to the {side} of"))
     elif draft.order.doing == "put" and draft.order.things and not draft.order.lengths and not draft.places_of_last():
@@ -68,6 +68,13 @@ def _flank(draft: Draft, side: str) -> None:
         draft.order.things[-1].places.append(Where(f"{side}_of", it, text=f"to the {side} of"))
     else:
         draft.order.direction = draft.order.direction or side
+
+
+def _named_before(draft: Draft) -> list[Noun]:
+    """What was named with the thing before the last, or that thing itself: a wall has no sides."""
+    named = [noun for noun in draft.former if noun.kind == "thing"]
+    before = draft.order.things[-2:-1]
+    return named or ([before[0].noun] if draft.former and before else [])
 
 
 def _row(draft: Draft, number: int) -> None:

@@ -151,7 +151,7 @@ def attach(draft: Draft, where: Where) -> None:
         draft.excepted.places.append(where)
     elif _is_laden(draft, where):
         draft.order.things[-1].laden, draft.order.rest = True, False
-    elif draft.order.closer and not draft.order.closer[-1][1].places and where.word not in ("to", "on"):
+    elif draft.order.closer and not draft.order.closer[-1][1].places and not _is_whereto(where):
         draft.order.closer[-1][1].places.append(where)
     elif draft.mode == "instead" and draft.order.instead:
         draft.order.instead[-1].places.append(where)
@@ -159,6 +159,11 @@ def attach(draft: Draft, where: Where) -> None:
         draft.order.things[-1].places.append(where)
     else:
         draft.order.places.append(where)
+
+
+def _is_whereto(where: Where) -> bool:
+    """Whether a place behind "away from the window," is where a thing goes: "into the corner"."""
+    return where.word in ("to", "on") or where.text.lower() in _INTO
 
 
 def _is_laden(draft: Draft, where: Where) -> bool:

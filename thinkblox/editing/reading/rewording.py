@@ -67,6 +67,24 @@ def in_between(tokens: Sequence[Token]) -> list[Token]:
     return left
 
 
+def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 3)):
+        if tokens[at].text != "with" or tokens[at + 1].text not in ("a", "an"):
+            continue
+        end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
+        end = min(at + MOST_NAMED, len(tokens)) if end is None else end
+        on_it = [token.text for token in tokens[end - 2 : end]] in (["on", "it"], ["on", "them"])
+        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].kind == "mark"), 0)
+        verbs = [(n, longest("verbs", tokens, n)) for n in range(begin, at)]
+        after = [tokens[n + found[1]].text for n, found in verbs if found is not None and found[0] in ("put", "move")]
+        if on_it and any(word in ("the", "my", "both", "it", "them") for word in after):
+            comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
+            left[at : at + 1] = [comma, replace(add, shown=tokens[at].shown)]
+    return left
+
+
 def something_instead(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "no lamp; two candles instead" as "remove the lamp; add two candles"."""
     if len(tokens) < 3 or tokens[0].text != "no" or tokens[1].kind != "word" or longest("fillers", tokens, 0):
