@@ -8,6 +8,7 @@ from tests.edited_rooms import SOURCE, bedroom, built, dining, living, room, sam
 from tests.test_editing_guard import done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import BACK_GAP
@@ -133,3 +134,97 @@ def test_two_things_that_cannot_change_places_stay() -> None:
     edit = edit_room(before, "Swap the toilet and the bathtub")
     assert edit.failed
     assert edit.scene == before
+
+
+def places(text: str, number: int = -1) -> list[list[tuple[str, str]]]:
+    """The places of each thing of an order, by relation and what they are of."""
+    order = read_instruction(text).orders[number]
+    return [[(w.word, w.noun.value if w.noun else "") for w in phrase.places] for phrase in order.things]
+
+
+def test_things_are_told_by_what_was_said_before() -> None:
+    assert places("I need a second desk next to mine") == [[("next_to", "desk")]]
+    assert places("I need a second desk for my colleague, next to ours") == [[("next_to", "desk")]]
+    (order,) = read_instruction("Put a lamp on each nightstand and a book on the one on the left").orders
+    last = order.things[1].places[0].noun
+    assert last is not None
+    assert (last.value, last.side) == ("nightstand", "left")
+    before = built(
+        room(), ("desk_1", 1.0, 2.0, 0.0, "floor"), ("bookcase_1", 5.75, 2.5, 180.0, "floor"),
+        ("desk_lamp_1", 1.0, 2.0, 0.0, "desk_1"),
+    )  # fmt: skip
+    after = done(before, "Put the desk lamp on the desk and move both of them next to the bookcase").scene
+    assert after["desk_lamp_1"].support == "desk_1"
+    assert measure(after, "next_to", "desk_1", ("bookcase_1",)).holds
+
+
+def test_between_them_is_between_the_two_that_were_named() -> None:
+    before = built(
+        room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("desk_1", 3.0, 4.5, 270.0, "floor"),
+        ("floor_lamp_1", 0.4, 4.6, 0.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "Make the sofa red and the desk black; then put the lamp between them").scene
+    assert measure(after, "between", "floor_lamp_1", ("sofa_1", "desk_1")).holds
+
+
+def test_the_nearest_one_is_turned_where_it_is() -> None:
+    before = built(
+        room(), ("armchair_1", 1.5, 1.8, 0.0, "floor"), ("armchair_2", 4.5, 3.8, 0.0, "floor"),
+        ("sofa_1", 3.0, 4.4, 270.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "The armchair closest to the door should look at the sofa").scene
+    assert same_but(before, after, "armchair_1")
+    assert measure(after, "facing", "armchair_1", ("sofa_1",)).holds
+
+
+@pytest.mark.parametrize(
+    ("text", "doing", "expected"),
+    [
+        ("Set the table with six plates", "add", [[("to", "any_table")]]),
+        ("Lay the table for four people", "add", [[("to", "any_table")]]),
+        ("I'd rather have the bench under the window than at the foot of the bed", "put", [[("under", "window")]]),
+        ("I'd rather have a bench than a sofa", "replace", [[]]),
+        ("Move the toaster onto it", "move", [[("on", "it")]]),
+        ("Place the stools to one from each side of the table", "put", [[("on", "side")]]),
+        ("Push the bookcases together against the north wall", "move", [[("against", "north_wall")]]),
+        ("Add a shelf for toys", "add", [[]]),
+    ],
+)
+def test_other_ways_to_say_it(text: str, doing: str, expected: list[list[tuple[str, str]]]) -> None:
+    read = read_instruction(text)
+    assert read.orders[0].doing == doing
+    assert places(text, 0) == expected
+    assert not read.unknown
+
+
+def test_instead_of_it_is_in_its_place() -> None:
+    first, second = read_instruction("Remove the wardrobe; instead of it I want a shelf for toys").orders
+    assert (first.doing, second.doing, second.there) == ("remove", "put", True)
+
+
+def test_two_for_several_go_where_one_of_each_is_said_to_be() -> None:
+    (order,) = read_instruction("Replace the chairs with two benches, one on each long side of the table").orders
+    assert [p.noun.value for p in order.things] == ["chair"]
+    assert [(w.word, w.noun and w.noun.value) for w in order.instead[0].places] == [("on", "long_side")]
+
+
+def test_a_rug_that_lies_there_is_not_added_again() -> None:
+    before = built(room(), ("rug_1", 3.0, 2.5, 0.0, "floor"), ("dining_table_1", 3.0, 2.5, 0.0, "floor"))
+    edit = done(before, "Add a rug under the table, and set it with two plates")
+    assert [p.category for p in edit.scene.placements] == ["rug", "dining_table", "plate", "plate"]
+    assert {p.support for p in edit.scene.placements if p.category == "plate"} == {"dining_table_1"}
+
+
+def test_the_middle_row_of_desks_is_theirs() -> None:
+    (order,) = read_instruction("Remove the middle row of desks").orders
+    assert [(p.noun.value, p.noun.rows, p.noun.ordinal) for p in order.things] == [("desk", 1, MIDDLE_ROW)]
+
+
+def test_beside_a_thing_is_found_in_the_open_floor() -> None:
+    before = built(
+        room(4.0, 3.3), ("plant_1", 3.67, 2.97, 180.0, "floor"), ("desk_1", 2.6, 2.92, 270.0, "floor"),
+        ("armchair_1", 0.53, 2.7, 315.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "Put the armchair beside the plant").scene
+    assert measure(after, "next_to", "armchair_1", ("plant_1",)).holds
+    assert same_but(before, after, "armchair_1")

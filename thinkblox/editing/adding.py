@@ -97,9 +97,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
-    if noun.det != "another" and not _without_laid(work, guess, slots):
-        work.done.append(f"{noun.text} is before each of them: it is so already")
-        return []
+    if (there_already := _there_already(work, noun, guess, slots)) is not None:
+        return there_already
     places, slots = _of_those(finder, places, slots)
     if noun.degree and noun.degree != SAME:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
@@ -136,6 +135,26 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
+    """What is to be added and is there, which is noted; None where something has to be added."""
+    if noun.det != "another" and not _without_laid(work, category, slots):
+        work.done.append(f"{noun.text} is before each of them: it is so already")
+        return []
+    if noun.det in ("a", "") and not noun.attributes and (lies := _lies_there(work, category, slots)):
+        work.done.append(f"{lies} lies there: it is so already")
+        return [lies]
+    return None
+
+
+def _lies_there(work: Work, category: str, slots: Sequence[Sequence[Bound]]) -> str:
+    """The rug that lies already where one is to be added; empty where none does."""
+    alike = [p.id for p in work.scene.placements if p.category == category and facts_of(category).is_in("covers")]
+    single = [bounds[0] for bounds in slots if len(bounds) == 1]
+    under = bool(single) and len(single) == len(slots) and all(bound.kind == "under" for bound in single)
+    there = [id for id in alike if under and all(bound.holds(work.scene, id) for bound in single)]
+    return there[0] if there else ""
 
 
 def _there_where(work: Work, spot: Placement, category: str) -> list[Goal]:

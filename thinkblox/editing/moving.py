@@ -442,7 +442,8 @@ def _split(
     if phrase.places is not places and not phrase.places:
         return here, rest
     told = [w for w in rest if not w.negated and by_distance(w)]
-    if told and phrase.noun.definite and (len(told) < len(rest) or order.mutual or order.together):
+    more = len(told) < len(rest) or order.mutual or order.together or _is_told(order)
+    if told and phrase.noun.definite and more:
         here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)

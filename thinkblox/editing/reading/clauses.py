@@ -34,12 +34,16 @@ _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
 _THE = Token("the", "the", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
+_PLATES = Token("plates", "plates", "word", start=-1)
+_LAID = ("the", "it", "my", "our", "each", "every", "both", "them")
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
 _IS = Token("is", "is", "word", start=-1)
 _ON = Token("on", "on", "word", start=-1)
 _OF = Token("of", "of", "word", start=-1)
 _IN = frozenset(("in", "inside", "with"))
+_BY_WALL = frozenset(("against", "along", "under"))
+"""Where things that are pushed "together" can come to stand so."""
 _FROM = Token("from", "from", "word", start=-1)
 _OUT_OF_WAY = tuple(Token(word, word, "word", start=-1) for word in ("out", "of", "the", "way", "of"))
 
@@ -389,8 +393,8 @@ def _turned_about(clause: Clause) -> Clause:
         if any(grammar().at(tokens, n, "prepositions") is not None for n in range(len(tokens))):
             raise InputError(f"'{clause.text}' says what is not to be done; say what is")
         return Clause("remove", "", tokens, clause.text)
-    if clause.doing == "seat":
-        return _seated(clause)
+    if clause.doing in ("seat", "put"):
+        return _seated(clause) if clause.doing == "seat" else _laid(clause) or _fewer(clause) or clause
     if clause.doing == "copy":
         if not tokens or tokens[0].text in ("all", "both", "every", "each", "everything"):
             raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
@@ -399,7 +403,7 @@ def _turned_about(clause: Clause) -> Clause:
         return Clause("add", "", body, clause.text)
     if clause.doing in ("gather", "spread"):
         return _gathered_or_spread(clause)
-    if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
+    if clause.doing in (*_BRINGS, "give") and (fewer := _fewer(clause)) is not None:
         return fewer
     if clause.doing != "give":
         return clause
@@ -410,6 +414,25 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _laid(clause: Clause) -> Clause | None:
+    """Read "set the table with six plates", "lay the table for four", as what comes onto that; None where it is other.
+
+    What is set for so many gets a plate for each.
+    """
+    tokens = [token for token in clause.tokens if token.text not in ENDS]
+    at = next((n for n, token in enumerate(tokens) if token.text in ("with", "for")), 0)
+    verb, pointed = clause.text.lower().split(" ", 1)[0], tokens[:1] and tokens[0].text in _LAID
+    if verb not in ("set", "lay") or not at or not pointed or len(tokens) < at + 2:
+        return None
+    counted = tokens[at + 1].kind == "number" or grammar().at(tokens, at + 1, "count") is not None
+    if tokens[at].text == "with" and (counted or tokens[at + 1].text in ("a", "an", "some")):
+        return Clause("add", "", (*tokens[at + 1 :], _TO, *tokens[:at]), clause.text)
+    people = tokens[at + 2 :] and grammar().knows(tokens[at + 2].text, "people")
+    if tokens[at].text == "for" and counted and (len(tokens) == at + 2 or people):
+        return Clause("add", "", (tokens[at + 1], _PLATES, _TO, *tokens[:at]), clause.text)
+    return None
 
 
 def _gathered_or_spread(clause: Clause) -> Clause:
@@ -424,13 +447,19 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
         faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
-        word = () if placed - _IN or faced else (_TOGETHER,)
+        kept = _BY_WALL if _says_together(clause) else frozenset()
+        word = () if placed - _IN - kept or faced else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
     if clause.doing == "spread" and (over := _without(tokens, "all_over")) is not None:
         return Clause("spread", "", over, clause.text)
     if placed - {"by", "from"}:
         raise InputError(f"'{clause.text}': how things are spread over a place is not followed; say where each goes")
     return Clause("move", "", (*tokens, _APART), clause.text)
+
+
+def _says_together(clause: Clause) -> bool:
+    """Whether its verb is that of "push together"."""
+    return "together" in clause.text.lower().split()
 
 
 def _without(tokens: Sequence[Token], section: str) -> tuple[Token, ...] | None:

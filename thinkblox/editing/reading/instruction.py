@@ -14,6 +14,7 @@ from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
     in_between,
+    in_its_place,
     included,
     reworded,
     something_instead,
@@ -21,8 +22,10 @@ from thinkblox.editing.reading.rewording import (
     with_heads,
     with_ids,
     with_new_on_it,
+    with_own,
     with_owners,
     without_commas,
+    without_rather_than,
 )
 from thinkblox.editing.reading.row_words import with_rows
 from thinkblox.editing.reading.slips import without_slip
@@ -50,8 +53,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [without_slip(lexicon, token) for token in lexicon.tokens(plain)])
-    owned = with_owners(lexicon, with_heads(lexicon, without_purposes(read)))
-    said = something_instead(reworded(with_new_on_it(owned)))
+    owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, without_purposes(read))))
+    said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)

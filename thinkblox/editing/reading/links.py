@@ -17,6 +17,7 @@ _SHAPES = ("round",)
 _OF_LOOKS = ("make", "replace", "add", "put", "ensure")
 """Orders in which "in grey" is how something is to look."""
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
+_OF_NEW = ("add", "put", "ensure", "replace")
 _OF_TWO = {"face to face": "face_to_face", "back to back": "back_to_back"}
 """How two things stand that are brought together so."""
 
@@ -182,10 +183,12 @@ def _becomes(draft: Draft, link: Connector, following: Noun) -> bool:
 
 
 def _is_purpose(draft: Draft, link: Connector, following: Noun) -> bool:
-    """Whether words say what for: "make room for a wheelchair", "a chair for the teacher"."""
+    """Whether words say what for: "make room for a wheelchair", "a chair for the teacher", "a shelf for toys"."""
     if link.value != "for":
         return False
-    if following.text.lower().startswith(("a group of ", "a party of ")):
+    told = following.det == "the" and not following.plural
+    kept_in_it = following.kind == "thing" and following.plural and not (following.det or following.count)
+    if (following.kind == "people" and not told) or (kept_in_it and draft.order.doing in _OF_NEW):
         draft.order.purpose.append(following)
         return True
     if following.kind == "people":

@@ -29,6 +29,7 @@ def read_where(draft: Draft, link: Connector) -> Where:
     where = Where(word, None, negated=draft.negated, text=link.text)
     draft.negated = False
     noun = draft.next_noun()
+    noun = _one_of_several(draft, noun) if noun is not None else None
     where.noun = merged(draft, noun) if noun is not None else None
     if link.value == "per" and where.noun is not None:
         where.word, where.noun = "to", replace(where.noun, det="each")
@@ -46,6 +47,22 @@ def read_where(draft: Draft, link: Connector) -> Where:
         draft.at += 1
         where.second = draft.next_noun()
     return with_corner(draft, where)
+
+
+def _one_of_several(draft: Draft, noun: Noun) -> Noun:
+    """Read "(a lamp on each nightstand and a book on) the one on the left" as one of those named before."""
+    several = draft.former[-1] if draft.former else None
+    one = noun.kind == "number" and noun.text.lower() in ("the one", "the ones")
+    if not one or several is None or several.kind != "thing" or not (several.each or several.many):
+        return noun
+    plural = noun.text.lower() == "the ones"
+    one_of = replace(several, det="the", count=None, plural=plural, text=f"the {several.word}")
+    link, side = draft.ahead(), draft.ahead(1)
+    sided = isinstance(link, Connector) and link.value == "on" and isinstance(side, Noun) and side.kind == "part"
+    if sided and isinstance(side, Noun) and side.value in ("left", "right") and not side.owner:
+        draft.at += 2
+        return replace(one_of, side=side.value, text=f"the {side.value} {several.word}")
+    return one_of
 
 
 def _is_other_part(draft: Draft, noun: Noun | None) -> bool:

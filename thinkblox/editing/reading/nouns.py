@@ -16,6 +16,7 @@ from thinkblox.editing.reading.sharing_out import (
     is_each_of_new,
     is_one_of_company,
     is_one_of_them,
+    shares_new,
     shares_out,
     tell_apart,
 )
@@ -213,7 +214,7 @@ def _thing(draft: Draft, phrase: NounPhrase) -> None:
         comes_along(draft, each=True)
     elif is_one_of_them(draft, noun):
         tell_apart(draft, noun)
-    elif shares_out(draft, noun):
+    elif shares_out(draft, noun) or shares_new(draft, noun):
         draft.shared = True
     elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
         if order.things and is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:

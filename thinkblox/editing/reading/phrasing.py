@@ -6,6 +6,7 @@ from typing import cast
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reading.draft import Draft
+from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.reading.english.chunks import Connector, Noun
 
 _ROW = "row_of_"
@@ -22,6 +23,16 @@ def as_another(draft: Draft, noun: Noun) -> Noun:
     return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
 
+def _middle_row(draft: Draft, noun: Noun) -> Noun | None:
+    """Read "the middle row of desks" as the desks in it."""
+    link, of = draft.ahead(), draft.ahead(1)
+    row = noun.kind == "number" and noun.rows and "middle row" in noun.text.lower()
+    if not row or not isinstance(link, Connector) or link.value != "of" or not isinstance(of, Noun):
+        return None
+    draft.at += 2
+    return replace(of, det="the", plural=True, rows=1, ordinal=MIDDLE_ROW, text=f"{noun.text} of {of.text}")
+
+
 def phrase_of(draft: Draft, noun: Noun) -> NounPhrase:
     """A noun with which, or how many, of several it means."""
     rank, _, along = draft.cutter.ranks.get(id(noun), "").partition(" ")
@@ -31,6 +42,8 @@ def phrase_of(draft: Draft, noun: Noun) -> NounPhrase:
     if noun.value.startswith(_ROW) and noun.ordinal:
         value = singular(noun.value.removeprefix(_ROW))
         noun = replace(noun, value=value, rows=1, plural=True, count=None)
+    if noun.kind == "number" and noun.rows and "middle row" in noun.text.lower():
+        noun = replace(noun, rows=1, ordinal=MIDDLE_ROW)
     if noun.fraction[1]:
         share = noun.fraction[0] / noun.fraction[1]
     left = int(-share) if share < 0 else 0
@@ -39,6 +52,8 @@ def phrase_of(draft: Draft, noun: Noun) -> NounPhrase:
 
 def merged(draft: Draft, noun: Noun) -> Noun:
     """Read "the last two chairs", "the largest of the tables" as one phrase; "the one" as the thing before it."""
+    if (row := _middle_row(draft, noun)) is not None:
+        return row
     following = draft.ahead()
     whole = isinstance(following, Noun) and following.kind == "thing" and not following.det
     if noun.kind == "number" and noun.ordinal and whole and isinstance(following, Noun):

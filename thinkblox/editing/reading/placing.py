@@ -171,7 +171,7 @@ def _is_laden(draft: Draft, where: Where) -> bool:
     things = draft.order.things
     alone = where.noun is not None and is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
     told = draft.order.rest if draft.order.doing == "keep" else draft.order.doing in _ON_KNOWN
-    alone &= draft.mode != "instead"
+    alone &= draft.mode != "instead" and where.text.lower() not in _INTO
     return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
 

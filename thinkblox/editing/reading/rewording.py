@@ -85,6 +85,34 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
     return left
 
 
+def in_its_place(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 2)):
+        words = [token.text for token in tokens[at : at + 3]]
+        its = {"it": "its", "them": "their"}.get(words[2], "")
+        if words[:2] == ["instead", "of"] and its and tokens[at - 1].text in (*_BREAKS, "and"):
+            place = [replace(token, start=-1) for token in tokenise(f"in {its} place")]
+            place[0] = replace(place[0], shown=" ".join(t.shown for t in tokens[at : at + 3]), start=tokens[at].start)
+            left[at : at + 3] = place
+    return left
+
+
+def without_rather_than(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(I'd rather have the bench here) than there" left out, and "than a sofa" as "instead of"."""
+    at = next((n for n, token in enumerate(tokens) if token.text == "than" and n + 1 < len(tokens)), None)
+    if at is None or not any(token.text in ("rather", "prefer", "sooner") for token in tokens[:at]):
+        return list(tokens)
+    end = next((n for n in range(at, len(tokens)) if tokens[n].text in _BREAKS), len(tokens))
+    if grammar().at(tokens, at + 1, "prepositions") is not None or tokens[at + 1].text in ("where", "here", "there"):
+        return [*tokens[:at], *tokens[end:]]
+    if tokens[at + 1].text not in ("a", "an", *_ARTICLES):
+        return list(tokens)
+    the = Token("the", "the", "word", start=-1)
+    instead = [replace(tokens[at], text="instead"), Token("of", "of", "word", start=-1), the]
+    return [*tokens[:at], *instead, *tokens[at + 2 :]]
+
+
 def something_instead(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "no lamp; two candles instead" as "remove the lamp; add two candles"."""
     if len(tokens) < 3 or tokens[0].text != "no" or tokens[1].kind != "word" or longest("fillers", tokens, 0):
@@ -134,6 +162,19 @@ def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         head = _first_thing(lexicon, tokens[begun[-1] : at - 2]) if begun else _last_thing(lexicon, tokens[: at - 1])
         if head is not None:
             left.insert(at + 1, replace(head, text=singular(head.text), owner=False, start=-1))
+    return left
+
+
+def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about."""
+    left = list(tokens)
+    for at in reversed(range(1, len(tokens))):
+        if tokens[at].text not in ("mine", "ours", "yours"):
+            continue
+        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in (".", ";", "!", "?")), 0)
+        if (head := _first_thing(lexicon, tokens[begin:at])) is not None:
+            the = replace(tokens[at], text="the")
+            left[at : at + 1] = [the, replace(head, text=singular(head.text), start=-1)]
     return left
 
 

@@ -73,6 +73,13 @@ def tell_apart(draft: Draft, noun: Noun) -> None:
     draft.order.things += [replace(phrase, noun=draft.left)] if count else []
 
 
+def shares_new(draft: Draft, noun: Noun) -> bool:
+    """Whether a number says where each of several is that come instead: "two benches, one on each long side"."""
+    one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
+    several = bool(draft.order.instead) and (draft.order.instead[-1].noun.count or 0) > 1
+    return draft.mode == "instead" and one and several and not draft.order.instead[-1].places and draft.each_follows()
+
+
 def shares_out(draft: Draft, noun: Noun) -> bool:
     """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
     last = draft.order.things[-1] if draft.order.things else None
