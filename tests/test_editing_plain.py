@@ -222,7 +222,7 @@ def test_the_middle_row_of_desks_is_theirs() -> None:
 
 def test_beside_a_thing_is_found_in_the_open_floor() -> None:
     before = built(
-        room(4.0, 3.3), ("plant_1", 3.67, 2.97, 180.0, "floor"), ("desk_1", 2.6, 2.92, 270.0, "floor"),
+        room(4.0, 3.3), ("plant_1", 3.6, 2.9, 180.0, "floor"), ("desk_1", 2.6, 2.92, 270.0, "floor"),
         ("armchair_1", 0.53, 2.7, 315.0, "floor"),
     )  # fmt: skip
     after = done(before, "Put the armchair beside the plant").scene
