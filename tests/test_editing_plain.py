@@ -8,7 +8,7 @@ from tests.edited_rooms import SOURCE, bedroom, built, dining, living, room, sam
 from tests.test_editing_guard import done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
-from thinkblox.editing.rows import MIDDLE_ROW
+from thinkblox.editing.rows import MIDDLE_ROW, rows_of
 from thinkblox.errors import InputError
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import BACK_GAP
@@ -228,3 +228,38 @@ def test_beside_a_thing_is_found_in_the_open_floor() -> None:
     after = done(before, "Put the armchair beside the plant").scene
     assert measure(after, "next_to", "armchair_1", ("plant_1",)).holds
     assert same_but(before, after, "armchair_1")
+
+
+def test_desks_are_arranged_in_rows_and_in_groups() -> None:
+    before = built(
+        room(7.0, 6.0),
+        *((f"school_desk_{n + 1}", 2.0 + 1.0 * n, 3.0, 270.0, "floor") for n in range(4)),
+        *((f"chair_{n + 1}", 2.0 + 1.0 * n, 2.55, 90.0, "floor") for n in range(4)),
+    )
+    rows = done(before, "Arrange the desks in two rows").scene
+    desks = [rows[f"school_desk_{n + 1}"] for n in range(4)]
+    assert sorted(map(len, rows_of(rows, desks))) == [2, 2]
+    for scene in (rows, done(before, "Push the desks together into two groups of two").scene):
+        for n in range(4):
+            assert measure(scene, "at", f"chair_{n + 1}", (f"school_desk_{n + 1}",)).holds
+    again = edit_room(rows, "Arrange the desks in two rows of two")
+    assert again.complete
+    assert again.scene == rows
+    with pytest.raises(InputError, match="there are 4 of them"):
+        edit_room(before, "Arrange the desks in two rows of three")
+
+
+def test_what_stands_on_something_is_put_higher() -> None:
+    before = built(
+        room(), ("desk_1", 1.0, 2.0, 0.0, "floor"), ("bookcase_1", 5.75, 2.5, 180.0, "floor"),
+        ("globe_1", 1.0, 2.0, 0.0, "desk_1"),
+    )  # fmt: skip
+    after = done(before, "Put the globe somewhere higher").scene
+    assert after["globe_1"].position[2] > before["globe_1"].position[2] + 0.1
+    assert after["globe_1"].size == before["globe_1"].size
+
+
+def test_the_end_of_a_sofa_is_beside_it() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("coffee_table_1", 3.0, 1.9, 90.0, "floor"))
+    after = done(before, "Put the coffee table at the end of the sofa").scene
+    assert any(measure(after, side, "coffee_table_1", ("sofa_1",)).holds for side in ("left_of", "right_of"))

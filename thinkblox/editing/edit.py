@@ -15,6 +15,7 @@ from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
+from thinkblox.editing.formations import form, formation_of
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
@@ -450,6 +451,15 @@ _DOERS: dict[str, Doer] = {
 }
 
 
+def _do(work: Work, finder: Finder, order: Order) -> None:
+    """Do what an order says: several things go to a formation as one."""
+    formed = formation_of(order) if order.doing in ("rearrange", "put", "move") and order.things else None
+    if formed is not None:
+        form(work, finder, order, formed)
+    else:
+        _DOERS[order.doing](work, finder, order)
+
+
 def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     """Do what was read; the ids of what it has named last."""
     finder = Finder(work.scene, past=past, start=work.start)
@@ -471,7 +481,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
         try:
             _on_either(order, finder)
             _check_back(order, finder)
-            _DOERS[order.doing](work, finder, order)
+            _do(work, finder, order)
         except InputError as error:
             others = ", ".join(f"'{text}'" for text in dict.fromkeys(o.text for o in orders) if text != order.text)
             if not others or type(error) is not InputError:

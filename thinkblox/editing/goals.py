@@ -553,6 +553,18 @@ class Traded(Untied):
 
 
 @dataclass(frozen=True)
+class Raised(Untied):
+    """It stands higher than before, or lower."""
+
+    up: bool = True
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """By at least LEAST."""
+        step = after[id].position[2] - before[id].position[2]
+        return step * (1.0 if self.up else -1.0) >= LEAST, f"{id} {abs(step):.2f} m {'higher' if step > 0 else 'lower'}"
+
+
+@dataclass(frozen=True)
 class Along(Untied):
     """It has moved in a direction of the room (unit vector), further than to either side of it."""
 

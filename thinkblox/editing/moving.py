@@ -19,7 +19,7 @@ from thinkblox.editing.acting import (
     related,
     say,
 )
-from thinkblox.editing.carrying import usual_ties
+from thinkblox.editing.carrying import usual_carriers, usual_ties
 from thinkblox.editing.company import company_of, gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
@@ -40,6 +40,7 @@ from thinkblox.editing.goals import (
     MidOf,
     Midway,
     Nearing,
+    Raised,
     Related,
     Spot,
 )
@@ -623,6 +624,9 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
+    if order.direction in ("up", "down") and work.asset_of(id).free and not (goals or order.lengths):
+        _to_other_height(work, order, id)
+        return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
         work.done.append(f"{id} stays: it is at {', '.join(gap.anchors)} already")
@@ -821,6 +825,28 @@ def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[P
         ), [Along(way)]
     goal = shifted(placement, _scaled(way, order.lengths[0][0]))
     return iter([(goal, placement.yaw)]), [At(goal[:2], height=goal[2] if way[2] else None)]
+
+
+def _to_other_height(work: Work, order: Order, id: str) -> None:
+    """Put what rests on something on what is higher, or lower, and carries it: what usually does first."""
+    before, up = work.scene[id], order.direction == "up"
+    usual = usual_carriers(work.scene, before.category)
+    others = [p for p in work.scene.placements if p.id not in usual and work.asset_of(p.id).surfaces and p.id != id]
+    near = [p.id for p in sorted(others, key=lambda p: math.dist(p.position, before.position))]
+    failed: Reaching | None = None
+    for carrier in [*usual, *near]:
+        tops = [work.scene[carrier].position[2] + s.position[2] for s in work.asset_of(carrier).surfaces]
+        if carrier == before.support or (max(tops) > before.position[2] + TOUCHING) != up:
+            continue
+        goals: list[Goal] = [Related("on", (carrier,)), Raised(up)]
+        if (why := reach_goals(work, id, goals, direct=_spots(work, id, goals), ask=True)) is None:
+            say(work, id, before, None, goals)
+            return
+        failed = failed or why
+    if failed is not None:
+        say(work, id, before, failed, ())
+        return
+    raise InputError(f"'{order.text}': nothing that is {'higher' if up else 'lower'} than {id} carries such a thing")
 
 
 def _scaled(way: Vec3, length: float) -> Vec3:

@@ -48,6 +48,8 @@ OVER_EYES = 1.5
 """How high a top is at most at the sides of which small things stand on it [m]."""
 EMPTY, OVER_HEAD = 0.8, 1.9
 """How far from an empty corner the nearest thing is at least, and from which height on nothing counts [m]."""
+AT_END = 0.35
+"""How far beyond the end of a thing lies what is at that end [m]."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
 
 
@@ -377,9 +379,33 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
             finder.scene[anchors[0]].category, "tables", "desks"
         )
         return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
-    kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
-    head = noun.value == "head" and kind == "next_to" and not where.negated
-    return Bound(cast(RelationKind, kind), anchors, where.negated, head=head)
+    return _at_part(where, noun, category, finder, anchors)
+
+
+def _at_part(where: Where, noun: Noun, category: str, finder: Finder, anchors: tuple[str, ...]) -> Bound:
+    """At a part of a thing as prompts mean it; at the end of what has no top for it to the left or right of it."""
+    kind = cast(RelationKind, relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category)))
+    if kind != "next_to" or where.negated:
+        return Bound(kind, anchors, where.negated)
+    if noun.value == "end" and len(anchors) == 1:
+        return Bound(_nearest_end(finder, anchors[0]), anchors)
+    return Bound(kind, anchors, head=noun.value == "head")
+
+
+def _nearest_end(finder: Finder, anchor: str) -> RelationKind:
+    """The left or the right of a thing: that at which more floor is free, or on which what is moved stands."""
+    scene, thing = finder.scene, finder.scene[anchor]
+    others = [p.footprint for p in scene.placements if p.id not in (anchor, finder.about) and p.support == "floor"]
+    others = [outline for outline in others if outline.intersection(thing.footprint).is_empty]
+    free: dict[RelationKind, float] = {}
+    sides: tuple[tuple[RelationKind, float], ...] = (("left_of", 1.0), ("right_of", -1.0))
+    for kind, sign in sides:
+        spot = Point(thing.to_room((0.0, sign * (thing.size[1] / 2 + AT_END))))
+        inside = scene.room.polygon.contains(spot)
+        free[kind] = min((outline.distance(spot) for outline in others), default=AT_END) if inside else -1.0
+    if finder.about in scene and min(free.values()) >= AT_END / 2:
+        return "left_of" if thing.to_local(scene[finder.about].position[:2])[1] > 0 else "right_of"
+    return max(free, key=lambda kind: min(free[kind], AT_END))
 
 
 def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
