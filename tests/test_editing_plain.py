@@ -263,3 +263,54 @@ def test_the_end_of_a_sofa_is_beside_it() -> None:
     before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("coffee_table_1", 3.0, 1.9, 90.0, "floor"))
     after = done(before, "Put the coffee table at the end of the sofa").scene
     assert any(measure(after, side, "coffee_table_1", ("sofa_1",)).holds for side in ("left_of", "right_of"))
+
+
+@pytest.mark.parametrize(
+    ("text", "doing", "things"),
+    [
+        ("The kids need more space, so move the table to the wall", "move", ["any_table"]),
+        ("The kids keep bumping into the table, so move it to the wall", "move", ["any_table"]),
+        ("Get rid of the rug and the bench, we never use them", "remove", ["rug", "bench"]),
+        ("If there is a plant, move it next to the window", "move", ["plant"]),
+        ("Turn the sofa so that it doesn't face the window any more", "turn", ["sofa"]),
+        ("Put the candles on the table, one at each end", "put", ["candle"]),
+    ],
+)
+def test_what_is_told_besides_is_no_order(text: str, doing: str, things: list[str]) -> None:
+    read = read_instruction(text)
+    assert [(order.doing, [p.noun.value for p in order.things]) for order in read.orders] == [(doing, things)]
+    assert not read.unknown
+
+
+def test_it_is_what_the_things_are_for() -> None:
+    (order,) = read_instruction("Give me a desk under the window with a chair and a lamp on it").orders
+    said = [(w.word, w.noun.value) for w in order.things[0].places if w.noun is not None]
+    assert said == [("under", "window"), ("with", "chair"), ("with", "any_lamp")]
+    (order,) = read_instruction("Put the table under the window and two of the chairs on each side of it").orders
+    assert [w.whole and w.whole.value for w in order.things[1].places] == ["any_table"]
+
+
+def test_as_many_things_change_places_one_with_one() -> None:
+    before = built(
+        room(), ("armchair_1", 1.5, 2.2, 0.0, "floor"), ("armchair_2", 4.5, 2.2, 180.0, "floor"),
+        ("bookcase_1", 2.0, 4.75, 270.0, "floor"), ("bookcase_2", 5.75, 4.0, 180.0, "floor"),
+    )  # fmt: skip
+    after = edit_room(before, "Swap the two bookcases with the armchairs").scene
+    for n in (1, 2):
+        for one, other in ((f"armchair_{n}", f"bookcase_{n}"), (f"bookcase_{n}", f"armchair_{n}")):
+            assert math.dist(after[one].position[:2], before[other].position[:2]) < 0.7
+
+
+def test_back_to_back_where_the_first_has_no_room_behind_it() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("desk_1", 0.5, 3.0, 0.0, "floor"))
+    after = done(before, "Place the sofa and the desk back to back").scene
+    gaze, other = (things(after, id)[0].yaw for id in ("sofa_1", "desk_1"))
+    assert abs((gaze - other) % 360.0 - 180.0) < 1.0
+
+
+def test_a_table_is_made_with_so_many_chairs() -> None:
+    edit = edit_room(dining(2), "Make the table square and bigger, with four chairs")
+    assert not edit.failed
+    assert sum(p.category == "chair" for p in edit.scene.placements) == 4
+    theirs = edit_room(dining(2), "Make the table round with its chairs")
+    assert theirs.complete

@@ -587,7 +587,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     "Take a chair and put it there" is one order, and "keep the chairs around it" says what goes along.
     """
     joined: list[Order] = []
-    for order in _of_those_kept(orders):
+    for order in _with_seats_apart(_of_those_kept(orders)):
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
@@ -616,6 +616,25 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _with_seats_apart(orders: Sequence[Order]) -> list[Order]:
+    """The orders with "make the table bigger, with six chairs" as that, and an order that six chairs are around it."""
+    left: list[Order] = []
+    for order in orders:
+        left.append(order)
+        for phrase in order.things if order.doing == "make" and (order.change or order.looks or order.lengths) else ():
+            said = [w for w in phrase.places if w.word == "with" and w.noun is not None and w.noun.kind == "thing"]
+            along = [w for w in said if w.noun is not None and w.noun.count]
+            theirs = [w.noun for w in said if w.noun is not None and w.noun.det == "my" and w.noun.plural]
+            order.company += [NounPhrase(noun) for noun in theirs]
+            phrase.places = [w for w in phrase.places if w not in along and w.noun not in theirs]
+            head = dataclasses.replace(phrase.noun, det="the")
+            seats = [
+                NounPhrase(w.noun, places=[Where("around", head, text="around")]) for w in along if w.noun is not None
+            ]
+            left += [Order("ensure", order.text, things=[seat], total=True) for seat in seats]
+    return left
 
 
 def _as_is_meant(last: Order | None, order: Order) -> None:

@@ -197,10 +197,10 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
         target = work.target(id, old.category, (), asset.attributes)
         begin: Pose = ((x, y, old.position[2]), before[group[0]].yaw)
         pose = placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1])
+        poses = _about(work, id, pose)
         if id in partners:
             partner = before[partners[id]]
-            pose, goals = structs.replace(pose, position=partner.position, yaw=partner.yaw), [At(partner.position[:2])]
-        poses = _about(work, id, pose)
+            poses, goals = _in_place_of(work, old, partner)
         reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=begin, tries=SWAP_TRIES)
         if not reaching.run():
             work.restore(saved)
@@ -215,9 +215,24 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
     work.done += [moved_words(before[id], work.scene[id]) for id in where]
 
 
+def _in_place_of(work: Work, old: Placement, partner: Placement) -> tuple[Iterator[Pose], list[Goal]]:
+    """Where a thing goes that takes the place of another: right there if it is of the same kind, else about there."""
+    asset = work.assets[old.asset]
+    there = structs.replace(old, position=partner.position, yaw=partner.yaw)
+    if partner.category == old.category:
+        return _about(work, old.id, there), [At(partner.position[:2])]
+    reach = SWAPPED + (max(old.size[:2]) + max(partner.size[:2])) / 4
+    walled = at_wall(work.start, partner.id) and asset.mount == "floor"
+    by_wall = along_walls(work.scene, asset, partner.position[:2], reach) if walled else ()
+    return chain(by_wall, _about(work, old.id, there)), [At(partner.position[:2], reach)]
+
+
 def _partners(scene: Scene, ones: Sequence[str], others: Sequence[str]) -> dict[str, str]:
-    """Which thing of the other group each takes the place of, where both hold the same kinds: in their order."""
+    """Which of the other group each takes the place of, where both hold the same kinds, or as many of one kind."""
     kinds = [sorted(scene[id].category for id in group) for group in (ones, others)]
+    if kinds[0] != kinds[1] and len(ones) == len(others) and all(len(set(names)) == 1 for names in kinds):
+        ordered = [sorted(ids, key=lambda id: scene[id].position[:2]) for ids in (ones, others)]
+        return {id: other for pair in zip(*ordered, strict=True) for id, other in (pair, pair[::-1])}
     if kinds[0] != kinds[1]:
         return {}
     pairs: dict[str, str] = {}

@@ -38,7 +38,7 @@ def read_behind(draft: Draft) -> Where | None:
 def read_facing(draft: Draft) -> None:
     """Read "to face the room", "so that it faces the door", "(the wardrobe,) not at the bed"."""
     following = draft.ahead()
-    if draft.negated and draft.order.facing and isinstance(following, Noun):
+    if draft.negated and draft.order.things and isinstance(following, Noun):
         draft.at += 1
         take_not_faced(draft, following)
         return

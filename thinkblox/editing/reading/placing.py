@@ -131,6 +131,10 @@ def _refer(draft: Draft, where: Where) -> None:
             where.noun = draft.anchors[-1]
         elif len(things) > 1 and draft.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
             where.noun = things[-2].noun
+    known = things[-2].noun if len(things) > 1 and things[-2].noun.definite else None
+    known = known or (draft.anchors[-1] if draft.anchors and len(things) == 1 else None)
+    if where.whole is not None and is_it(where.whole) and known is not None and known.kind == "thing":
+        where.whole = known
     if where.word != "with" or draft.order.doing not in ("add", "put"):
         draft.anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
 

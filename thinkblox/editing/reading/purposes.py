@@ -12,6 +12,7 @@ MOST_OF_PERSON = 6
 """Most words by which somebody is named before what they do: "the person who sits there"."""
 _NAMING = ("the", "my", "our", "a", "an", "each", "both")
 _AGAIN = ("it", "them")
+_FROM_IT = ("it", "them", "there", "here")
 _PARTING = (",", "and", "then", "but")
 
 
@@ -22,7 +23,7 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
     window"; "so that I can read there", "so that four kids can draw" and "because it is dark there" ask for nothing.
     What people are to get to, or through, is left as it is: that asks for space.
     """
-    left = _views_first(list(tokens))
+    left = _untold(_views_first(_without_told_reason(without_given(tokens))))
     for at in reversed(range(len(left))):
         if at >= len(left):
             continue
@@ -110,6 +111,57 @@ def _end(tokens: Sequence[Token], at: int) -> int:
 def _cut(tokens: Sequence[Token], at: int, end: int) -> list[Token]:
     begin = at - 1 if at and tokens[at - 1].text == "," else at
     return [*tokens[:begin], *tokens[end:]]
+
+
+def _without_told_reason(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what people do, before ", so (move it)": "it" is then what they do it with, named last.
+
+    What is told of a thing, "the desk is too small, so", is read with the order.
+    """
+    person = _person(tokens, 0)
+    at = next((n for n in range(1, len(tokens) - 1) if tokens[n].text == "so" and tokens[n - 1].text == ","), 0)
+    verb = at + 1 + (tokens[at + 1].text == "please" if at else 0)
+    ordered = any(longest(section, tokens, verb) is not None for section in ("verbs", "resizing"))
+    read = any(longest(section, tokens, 0) is not None for section in ("verbs", "dislikes", "obtained"))
+    if not (person and at and ordered) or read or any(token.text in ENDS for token in tokens[:at]):
+        return list(tokens)
+    again = next((n for n in range(verb + 1, min(verb + 3, len(tokens))) if tokens[n].text in _AGAIN), None)
+    begin = next((n for n in range(at - 2, person - 1, -1) if tokens[n].text in _NAMING), None)
+    if again is None:
+        return list(tokens[verb:])
+    if begin is None:
+        return list(tokens)
+    return [*tokens[verb:again], *tokens[begin : at - 1], *tokens[again + 1 :]]
+
+
+def _untold(tokens: list[Token]) -> list[Token]:
+    """The tokens without what people are told of at the end of an order: "(remove the rug), we never use it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens))):
+        told = tokens[at - 1].text == "," and _person(tokens, at) and longest("verbs", tokens, at) is None
+        end = next((n for n in range(at, len(tokens)) if tokens[n].text in ENDS), len(tokens))
+        if not told or any(token.text == "," for token in tokens[at:end]) or end < at + 3:
+            continue
+        again = tokens[end - 1].text in (*_FROM_IT, "anymore", "more")
+        ordered = any(tokens[n - 1].text in _PARTING and starts_with_verb(tokens, n) for n in range(at + 1, end))
+        if again and not ordered:
+            del left[at - 1 : end]
+    return left
+
+
+def without_given(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "if there is a plant, move it" as "move the plant": where there is none, that is said."""
+    words = [token.text for token in tokens[:4]]
+    begin = 4 if words[:1] == ["if"] and words[1:3] in (["there", "is"], ["there", "are"]) else 0
+    end = next((n for n, token in enumerate(tokens) if token.text == ","), 0)
+    if not begin or words[3] not in ("a", "an", "any", "some", "still") or not begin < end <= begin + MOST_OF_PERSON:
+        return list(tokens)
+    at = next((n for n in range(end + 1, len(tokens)) if tokens[n].text in _AGAIN), None)
+    named = [token for token in tokens[begin:end] if token.text not in ("a", "an", "any", "some", "still")]
+    if at is None or any(token.text in (*ENDS, ",") for token in tokens[end + 1 : at]):
+        return list(tokens)
+    the = replace(tokens[3], text="the")
+    return [*tokens[end + 1 : at], the, *named, *tokens[at + 1 :]]
 
 
 def _views_first(tokens: list[Token]) -> list[Token]:

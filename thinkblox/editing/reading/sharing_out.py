@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import cast
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.reading.draft import Draft
+from thinkblox.editing.reading.draft import Draft, is_it
 from thinkblox.editing.reading.locating import read_where
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Connector, Noun
@@ -43,14 +43,20 @@ def comes_along(draft: Draft, *, each: bool) -> None:
     if head is None or things[head].noun.definite:
         return
     later, kind = things[head + 1 :], things[head].noun.value
-    new = all(p.noun.kind == "thing" and not (p.noun.definite or p.places or p.id) for p in later)
+    on_it = [p for p in later if p.places and all(_is_on_it(where) for where in p.places)]
+    new = all(p.noun.kind == "thing" and not (p.noun.definite or (p.places and p not in on_it) or p.id) for p in later)
     usual = all(
         any(habit.kind == "on" and kind in habit.anchors for habit in load_habits().of(p.noun.value)) for p in later
     )
     usual |= facts_of(kind).is_in("seating") and all(facts_of(p.noun.value).is_in("small") for p in later)
-    if later and new and (each or usual):
+    if later and new and (each or usual or later[-1] in on_it):
         things[head].places += [Where("with", p.noun, text="with") for p in later]
         del things[head + 1 :]
+
+
+def _is_on_it(where: Where) -> bool:
+    """Whether it is "on it", said of what comes with a thing."""
+    return where.word in ("on", "on_top") and where.noun is not None and is_it(where.noun) and not where.negated
 
 
 def is_one_of_them(draft: Draft, noun: Noun) -> bool:
@@ -89,6 +95,6 @@ def shares_out(draft: Draft, noun: Noun) -> bool:
         draft.order.doing in ("add", "put")
         and last is not None
         and bare
-        and (last.noun.count or 0) > 1
+        and ((last.noun.count or 0) > 1 or (one and last.noun.plural and draft.each_follows()))
         and (not last.places or draft.each_follows())
     )
