@@ -29,7 +29,8 @@ from thinkblox.editing.goals import (
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, bound, named, opening_named
+from thinkblox.editing.telling import named
+from thinkblox.editing.wheres import Bound, bound, opening_named
 from thinkblox.editing.work import Saved, Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie, is_object

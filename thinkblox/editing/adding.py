@@ -18,7 +18,8 @@ from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_for, spot_of, told_by
+from thinkblox.editing.telling import anchored, named
+from thinkblox.editing.wheres import Bound, corner_told, slots_for, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for

@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.assets import facts_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where

@@ -31,9 +31,10 @@ from thinkblox.editing.spacing import space
 from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
+from thinkblox.editing.telling import by_distance, named
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
-from thinkblox.editing.wheres import Bound, by_distance, named, slots_of
+from thinkblox.editing.wheres import Bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError

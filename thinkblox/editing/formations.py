@@ -13,7 +13,7 @@ from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
 from thinkblox.editing.spots import free, near_offsets
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
@@ -156,13 +156,14 @@ def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
     seats = [scene[seat] for id in ids for seat in seats_at(scene, id, besides=())]
     deep, wide = size[0], size[1]
     sit = max((_reach(scene, seat, ids) for seat in seats), default=0.0)
-    centre = scene.room.polygon.centroid.coords[0]
+    x, y = scene.room.polygon.centroid.coords[0]
+    middles = near_offsets(AROUND)
     for behind in BEHIND:
         for beside in BESIDE:
             local = list(_blocks(formation, deep, wide, sit + behind, beside) if formation.grouped
                          else _ranks(formation, len(ids), deep, wide, sit + behind, beside))  # fmt: skip
-            for dx, dy in near_offsets(AROUND)[:: max(1, len(near_offsets(AROUND)) // TRIES)]:
-                cells = [(_placed(centre, (dx, dy), gaze, spot), (gaze + turn) % 360.0) for spot, turn in local]
+            for dx, dy in middles[:: max(1, len(middles) // TRIES)]:
+                cells = [(_placed((x + dx, y + dy), gaze, spot), (gaze + turn) % 360.0) for spot, turn in local]
                 yield _assigned(scene, ids, cells)
 
 
@@ -194,10 +195,11 @@ def _blocks(formation: Formation, deep: float, wide: float, behind: float, besid
             yield (along, middle + out), -90.0 if line else 90.0
 
 
-def _placed(centre: Vec2, off: Vec2, gaze: float, spot: Vec2) -> Vec2:
+def _placed(centre: Vec2, gaze: float, spot: Vec2) -> Vec2:
+    """A spot that is seen from a middle and a way that is ahead, in the room."""
     way = math.radians(gaze)
-    x = centre[0] + off[0] + spot[0] * math.cos(way) - spot[1] * math.sin(way)
-    y = centre[1] + off[1] + spot[0] * math.sin(way) + spot[1] * math.cos(way)
+    x = centre[0] + spot[0] * math.cos(way) - spot[1] * math.sin(way)
+    y = centre[1] + spot[0] * math.sin(way) + spot[1] * math.cos(way)
     return (round(x, 4), round(y, 4))
 
 

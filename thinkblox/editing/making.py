@@ -11,7 +11,7 @@ from thinkblox.editing.replacing import replace_one
 from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.resizing import resize
 from thinkblox.editing.spreading_under import spread_under
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 

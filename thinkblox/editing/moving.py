@@ -64,19 +64,9 @@ from thinkblox.editing.spots import (
     spots,
     whole_floor,
 )
+from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import (
-    Bound,
-    anchored,
-    bound,
-    by_distance,
-    named,
-    slots_for,
-    slots_of,
-    spare,
-    spot_of,
-    told_by,
-)
+from thinkblox.editing.wheres import Bound, bound, slots_for, slots_of, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError

@@ -10,7 +10,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import EXACT, At, Goal, Turned
 from thinkblox.editing.orders import Order
 from thinkblox.editing.spots import near_offsets
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where

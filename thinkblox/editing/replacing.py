@@ -18,7 +18,8 @@ from thinkblox.editing.remaking import MORE, compared, looks_of, otherwise
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.spots import Pose, along_walls, at_wall
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.telling import named
+from thinkblox.editing.wheres import Bound, bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed

@@ -16,7 +16,7 @@ from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose, along_walls, at_wall
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round
 from thinkblox.errors import InputError

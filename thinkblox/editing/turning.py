@@ -17,7 +17,8 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import Pose, at_wall, free, near_offsets
-from thinkblox.editing.wheres import bound, named, spare
+from thinkblox.editing.telling import named, spare
+from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
