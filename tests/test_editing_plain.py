@@ -314,3 +314,30 @@ def test_a_table_is_made_with_so_many_chairs() -> None:
     assert sum(p.category == "chair" for p in edit.scene.placements) == 4
     theirs = edit_room(dining(2), "Make the table round with its chairs")
     assert theirs.complete
+
+
+def test_the_other_side_of_the_room_is_its_other_half() -> None:
+    before = built(
+        room(6.0, 4.0), ("desk_1", 0.5, 2.0, 0.0, "floor"), ("chair_1", 1.0, 2.0, 180.0, "floor"),
+        ("bed_1", 4.9, 2.0, 180.0, "floor"), ("nightstand_1", 5.75, 3.3, 180.0, "floor"),
+        ("nightstand_2", 5.75, 0.7, 180.0, "floor"),
+    )  # fmt: skip
+    after = edit_room(before, "Move the desk to the other side of the room and put the chair in front of it").scene
+    assert after["desk_1"].position[0] > 3.0
+    assert measure(after, "at", "chair_1", ("desk_1",)).holds
+    assert same_but(before, after, "desk_1", "chair_1")
+
+
+def test_what_carries_nothing_is_named() -> None:
+    before = built(room(), ("bean_bag_1", 3.0, 3.0, 0.0, "floor"), ("desk_1", 1.0, 1.0, 0.0, "floor"),
+                   ("teddy_bear_1", 1.0, 1.0, 0.0, "desk_1"))  # fmt: skip
+    (failed,) = edit_room(before, "Put the teddy bear on the bean bag").failed
+    assert "bean_bag_1 has no flat top" in failed
+
+
+def test_what_stands_at_a_wall_comes_closer_along_it() -> None:
+    before = built(
+        room(), ("sideboard_1", 0.3, 1.5, 0.0, "floor"), ("wardrobe_1", 5.65, 3.0, 180.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "Move the sideboard closer to the wardrobe").scene
+    assert measure(after, "against_wall", "sideboard_1", ("wall",)).holds

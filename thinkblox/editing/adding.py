@@ -10,7 +10,7 @@ from msgspec import structs
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
+from thinkblox.editing.acting import bears_nothing, centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Spot, Unhidden
@@ -378,7 +378,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     saved = work.saved()
     reached = reaching.run()
     if not reached:
-        why = reaching.why.removeprefix(f"{id}: ")
+        why = bears_nothing(work, goals) or reaching.why.removeprefix(f"{id}: ")
         work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""
 

@@ -1,7 +1,7 @@
 """What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
@@ -103,8 +103,16 @@ def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
 def _say_left(work: Work, id: str, seats: Sequence[str]) -> None:
     """Note which seats a thing has left."""
     left = [seat for seat in seats if seat in work.scene and not measure(work.scene, "at", seat, (id,)).holds]
-    if left:
-        work.notes.append(f"{', '.join(left)} stayed, away from {id} now: what is to go along has to be named.")
+    work.left += [(id, left)] if left else []
+
+
+def left_behind(work: Work) -> Iterator[str]:
+    """What is to be said of seats that things have left, and that stand there still."""
+    for id, seats in work.left:
+        still = [s for s in seats if s in work.scene and id in work.scene and work.scene[s] == work.start[s]]
+        still = [seat for seat in still if not measure(work.scene, "at", seat, (id,)).holds]
+        if still:
+            yield f"{', '.join(still)} stayed, away from {id} now: what is to go along has to be named."
 
 
 def bring_together(work: Work, id: str, mates: Sequence[str], do: Callable[[], None]) -> None:

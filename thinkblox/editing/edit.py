@@ -13,6 +13,7 @@ from msgspec import structs
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
+from thinkblox.editing.company import left_behind
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.formations import form, formation_of
@@ -767,6 +768,7 @@ def _finished(
     done = [*work.done, *([f"{', '.join(carried)} went along with what carries it"] if carried else [])]
     before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
     old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
+    work.notes += left_behind(work)
     if old_faults:
         work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
     report = structs.replace(

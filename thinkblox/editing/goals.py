@@ -565,6 +565,20 @@ class Raised(Untied):
 
 
 @dataclass(frozen=True)
+class OnSide(Untied):
+    """It stands in the half of the room that is at a wall."""
+
+    wall: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far its middle is from the wall, which is less than that of the room is."""
+        wall = after.room.wall(self.wall)
+        away = wall.coordinates(after[id].position[:2])[1]
+        half = wall.coordinates(after.room.polygon.centroid.coords[0])[1]
+        return away < half, f"{id} {away:.2f} m from {self.wall}, the middle of the room {half:.2f} m"
+
+
+@dataclass(frozen=True)
 class Along(Untied):
     """It has moved in a direction of the room (unit vector), further than to either side of it."""
 
