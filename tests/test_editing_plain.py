@@ -23,6 +23,7 @@ from thinkblox.scene.support import placed_at
         "Add a lamp by the sofa so the kids can draw",
         "Add a lamp by the sofa because it is dark there",
         "Because it is so dark there, add a lamp by the sofa",
+        "Since I work at night, add a lamp by the sofa",
         "Add a lamp by the sofa so I can put my book under it",
     ],
 )
@@ -341,3 +342,12 @@ def test_what_stands_at_a_wall_comes_closer_along_it() -> None:
     )  # fmt: skip
     after = done(before, "Move the sideboard closer to the wardrobe").scene
     assert measure(after, "against_wall", "sideboard_1", ("wall",)).holds
+
+
+def test_the_desk_without_one_is_that_which_has_none() -> None:
+    before = built(
+        room(), ("desk_1", 1.0, 1.5, 0.0, "floor"), ("chair_1", 1.6, 1.5, 180.0, "floor"),
+        ("desk_2", 4.0, 3.5, 0.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "Put a chair at the desk without one").scene
+    assert measure(after, "at", "chair_2", ("desk_2",)).holds

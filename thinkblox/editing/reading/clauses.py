@@ -383,7 +383,13 @@ def _is_last(tokens: Sequence[Token], at: int) -> bool:
 def _of_lacking(clause: Clause) -> Clause:
     """A clause by which something is added to those that have none, as one by which each is to have it."""
     lacking = _without(clause.tokens, "lacking") if clause.doing in ("add", "put") else None
-    return Clause("ensure", "", lacking, clause.text) if lacking is not None else clause
+    if lacking is None:
+        return clause
+    at = next(n for n in range(len(clause.tokens)) if longest("lacking", clause.tokens, n) is not None)
+    the = next((n for n in range(at - 1, max(at - 4, 0), -1) if lacking[n].text == "the"), None)
+    if the is not None:
+        lacking = (*lacking[:the], replace(lacking[the], text="every"), *lacking[the + 1 :])
+    return Clause("ensure", "", lacking, clause.text)
 
 
 def _turned_about(clause: Clause) -> Clause:

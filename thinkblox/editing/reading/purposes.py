@@ -27,7 +27,7 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
     for at in reversed(range(len(left))):
         if at >= len(left):
             continue
-        if longest("reasons", left, at) is not None:
+        if longest("reasons", left, at) is not None or (_begins(left, at) and left[at].text in ("since", "as")):
             left = _without_reason(left, at)
         elif left[at].text == "so":
             left = _without_purpose(left, at)
@@ -36,9 +36,14 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
 
 def _without_reason(tokens: list[Token], at: int) -> list[Token]:
     """Without "because it is dark there"; of "because the desk is too small, replace it" only the first word goes."""
-    found = longest("reasons", tokens, at)
-    if found is None or _begins(tokens, at):
-        return [*tokens[:at], *tokens[at + (found[1] if found is not None else 0) :]]
+    found = longest("reasons", tokens, at) or ("", 1)
+    after = at + found[1]
+    comma = next((n for n in range(after, len(tokens)) if tokens[n].text == ","), 0)
+    again = any(token.text in _AGAIN for token in tokens[comma : comma + 3])
+    if _begins(tokens, at) and _person(tokens, after) and comma and not again:
+        return [*tokens[:at], *tokens[comma + 1 :]]
+    if _begins(tokens, at):
+        return [*tokens[:at], *tokens[after:]]
     return _cut(tokens, at, _end(tokens, at + found[1]))
 
 
