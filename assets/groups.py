@@ -76,6 +76,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "cases": "can stand side by side with its like without a gap",
         "drawn_aside": "is drawn aside by whoever passes",
         "from_aisles": "is used from the aisle between its rows",
+        "goes_along_below": "hangs over what it works for, and goes where that goes",
         "clear_above": "people lie, stand or play in it: no shelf hangs over it",
         "staff_side": "turns its working side to the person behind a counter",
     }

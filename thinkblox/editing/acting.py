@@ -29,7 +29,8 @@ from thinkblox.editing.goals import (
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, bound, named, opening_named
+from thinkblox.editing.telling import named
+from thinkblox.editing.wheres import Bound, bound, opening_named
 from thinkblox.editing.work import Saved, Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie, is_object
@@ -227,11 +228,19 @@ def _without(work: Work, id: str) -> Scene:
 def say(work: Work, id: str, before: Placement, failed: Reaching | None, goals: Sequence[Goal]) -> None:
     """Note what became of one object."""
     if failed is not None:
-        work.failed.append(f"{id} was left where it is: {failed.why}")
+        work.failed.append(f"{id} was left where it is: {bears_nothing(work, goals) or failed.why}")
         return
     work.wish(id, goals)
     text = "; ".join(dict.fromkeys(findings(work, goals, id)))
     work.done.append(f"{moved_words(before, work.scene[id])}{f' ({text})' if text else ''}")
+
+
+def bears_nothing(work: Work, goals: Sequence[Goal]) -> str:
+    """What something is to be put on that carries nothing; empty where there is no such thing."""
+    on = [goal for goal in goals if isinstance(goal, Related) and goal.kind == "on" and not goal.negated]
+    names = [name for goal in on for name in goal.anchors if name in work.scene and not work.asset_of(name).surfaces]
+    bare = [name for name in names if not facts_of(work.scene[name].category).is_in("covers")]
+    return f"{bare[0]} has no flat top that could carry anything" if bare else ""
 
 
 def findings(work: Work, goals: Sequence[Goal], id: str) -> Iterator[str]:

@@ -10,15 +10,16 @@ from msgspec import structs
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
+from thinkblox.editing.acting import bears_nothing, centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Unhidden
+from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_for, spot_of, told_by
+from thinkblox.editing.telling import anchored, named
+from thinkblox.editing.wheres import Bound, corner_told, slots_for, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -33,6 +34,7 @@ from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
@@ -96,9 +98,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
-    if noun.det != "another" and not _without_laid(work, guess, slots):
-        work.done.append(f"{noun.text} is before each of them: it is so already")
-        return []
+    if (there_already := _there_already(work, noun, guess, slots)) is not None:
+        return there_already
     places, slots = _of_those(finder, places, slots)
     if noun.degree and noun.degree != SAME:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
@@ -123,7 +124,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
-        goals += [At(spot.position[:2], THERE) for spot in left]
+        goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
@@ -135,6 +136,33 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
+    """What is to be added and is there, which is noted; None where something has to be added."""
+    if noun.det != "another" and not _without_laid(work, category, slots):
+        work.done.append(f"{noun.text} is before each of them: it is so already")
+        return []
+    if noun.det in ("a", "") and not noun.attributes and (lies := _lies_there(work, category, slots)):
+        work.done.append(f"{lies} lies there: it is so already")
+        return [lies]
+    return None
+
+
+def _lies_there(work: Work, category: str, slots: Sequence[Sequence[Bound]]) -> str:
+    """The rug that lies already where one is to be added; empty where none does."""
+    alike = [p.id for p in work.scene.placements if p.category == category and facts_of(category).is_in("covers")]
+    single = [bounds[0] for bounds in slots if len(bounds) == 1]
+    under = bool(single) and len(single) == len(slots) and all(bound.kind == "under" for bound in single)
+    there = [id for id in alike if under and all(bound.holds(work.scene, id) for bound in single)]
+    return there[0] if there else ""
+
+
+def _there_where(work: Work, spot: Placement, category: str) -> list[Goal]:
+    """At the spot of something that is gone: on the floor where that stood on it, and not on what is nearby."""
+    stands = spot.support == "floor" and work.source.usual(category)[1] in ("floor", "surface")
+    there: Goal = Spot(spot.position[:2], THERE, old=spot)
+    return [there, Related("on", ("floor",))] if stands else [there]
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
@@ -343,13 +371,14 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     if any(isinstance(goal, Laid) for goal in goals):
         direct = chain(likely(work.scene, asset, goals), direct)
+    direct = chain(_where_it_was(asset, goals), direct)
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
     saved = work.saved()
     reached = reaching.run()
     if not reached:
-        why = reaching.why.removeprefix(f"{id}: ")
+        why = bears_nothing(work, goals) or reaching.why.removeprefix(f"{id}: ")
         work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""
 
@@ -364,6 +393,13 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The very place of what stood on the floor where something comes now, turned as that was."""
+    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
+        if asset.mount == "floor" and old.support == "floor":
+            yield (*old.position[:2], 0.0), old.yaw
 
 
 def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:

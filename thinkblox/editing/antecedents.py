@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -30,6 +31,7 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
     last = ""
     for order in orders:
         before, staying = head, order.doing in _STAYING
+        order.things[:] = [one for phrase in order.things for one in _each_of_two(phrase, mentions)]
         for phrase in order.things:
             _of_head(phrase, before, by_place=staying and last in _OF_SOME, one=staying)
             head = phrase.noun if phrase.noun.kind == "thing" else head
@@ -37,7 +39,9 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
                 _of_head(spared, phrase.noun if phrase.noun.kind == "thing" else before, by_place=True)
             mentions += [phrase.noun] if phrase.noun.kind == "thing" else []
             for where in phrase.places:
+                _between_two(where, [noun for noun in mentions if noun is not phrase.noun])
                 _of_others(where, phrase.noun, order, finder)
+                _of_carrier(where, phrase.noun, before, mentions)
                 _of_place(where, before, order, mentions, finder)
                 mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
         for where in order.places:
@@ -45,6 +49,31 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
             mentions += [noun for noun in _nouns(where) if noun.kind == "thing"]
         last = order.doing
     return orders
+
+
+def _two(mentions: Sequence[Noun]) -> tuple[Noun, Noun] | None:
+    """The last two things that were named, where each is one."""
+    if len(mentions) < 2 or any(noun.many or noun.det in ("a", "an", "another") for noun in mentions[-2:]):
+        return None
+    first, second = (replace(noun, det="the") for noun in mentions[-2:])
+    return (first, second) if first.text != second.text else None
+
+
+def _each_of_two(phrase: NounPhrase, mentions: Sequence[Noun]) -> list[NounPhrase]:
+    """Read "(put the lamp on the desk and move) both of them" as both things that were named last."""
+    noun, two = phrase.noun, _two(mentions)
+    both = noun.kind == "pronoun" and noun.value == "them" and "both" in noun.text.lower().split()
+    if not both or two is None:
+        return [phrase]
+    return [replace(phrase, noun=two[0], places=list(phrase.places)), replace(phrase, noun=two[1])]
+
+
+def _between_two(where: Where, mentions: Sequence[Noun]) -> None:
+    """Read "(make the sofa red and the chair black and put the lamp) between them" as between these two."""
+    noun, two = where.noun, _two(mentions)
+    them = noun is not None and noun.kind == "pronoun" and noun.value == "them"
+    if where.word == "between" and them and where.second is None and two is not None:
+        where.noun, where.second = two
 
 
 def _others_moved(orders: Sequence[Order], finder: Finder) -> list[Order]:
@@ -128,6 +157,17 @@ def _of_others(where: Where, noun: Noun, order: Order, finder: Finder) -> None:
         return
     if finder.matching(replace(noun, attributes=[], unshown=[], det="the", count=None, plural=True)):
         where.noun = Noun("thing", noun.value, 0, 0, f"the other {noun.word}s", det="the", plural=True)
+
+
+def _of_carrier(where: Where, noun: Noun, head: Noun | None, mentions: Sequence[Noun]) -> None:
+    """Read "(add a rug under the table and put a vase) on it" as on the table: nothing is put on a rug there."""
+    it = where.noun
+    onto = it is not None and (it.kind, it.value) == _IT and where.word in ("on", "on_top", "to")
+    if not onto or head is None or not facts_of(head.value).is_in("covers") or not facts_of(noun.value).is_in("small"):
+        return
+    others = [other for other in mentions if other is not noun and not facts_of(other.value).is_in("covers")]
+    if others:
+        where.noun = replace(others[-1], det="the")
 
 
 def _of_place(where: Where, head: Noun | None, order: Order, mentions: Sequence[Noun], finder: Finder) -> None:

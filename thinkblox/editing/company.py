@@ -1,7 +1,7 @@
 """What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
@@ -14,8 +14,10 @@ from thinkblox.editing.spots import BESIDE, Pose
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.nearby import BACK_GAP
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -39,6 +41,8 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     if mates:
         bring_together(work, id, mates, do)
         return
+    if bring_overhead(work, [id], do):
+        return
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
     seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
@@ -61,6 +65,31 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     _say_left(work, id, seats)
 
 
+def bring_overhead(work: Work, ids: Sequence[str], do: Callable[[], None]) -> bool:
+    """Do something with things over which something hangs that goes where they go, as a hood with its stove.
+
+    False where nothing does, or where it cannot come along: then nothing is done.
+    """
+    over = {
+        p.id: id
+        for p in work.scene.placements
+        for id in ids
+        if facts_of(p.category).is_in("goes_along_below")
+        and p.id not in work.kept
+        and measure(work.scene, "above", p.id, (id,)).holds
+    }
+    if not over:
+        return False
+    saved, said = work.saved(), (len(work.failed), len(work.notes))
+    below = next(iter(over.values()))
+    bring_together(work, below, [name for name, id in over.items() if id == below], do)
+    if len(work.failed) == said[0]:
+        return True
+    work.restore(saved)
+    del work.failed[said[0] :], work.notes[said[1] :]
+    return False
+
+
 def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
     """The seats that are drawn up to a thing and to nothing else."""
     if not facts_of(scene[id].category).is_in("tables", "desks", "counters"):
@@ -74,8 +103,16 @@ def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
 def _say_left(work: Work, id: str, seats: Sequence[str]) -> None:
     """Note which seats a thing has left."""
     left = [seat for seat in seats if seat in work.scene and not measure(work.scene, "at", seat, (id,)).holds]
-    if left:
-        work.notes.append(f"{', '.join(left)} stayed, away from {id} now: what is to go along has to be named.")
+    work.left += [(id, left)] if left else []
+
+
+def left_behind(work: Work) -> Iterator[str]:
+    """What is to be said of seats that things have left, and that stand there still."""
+    for id, seats in work.left:
+        still = [s for s in seats if s in work.scene and id in work.scene and work.scene[s] == work.start[s]]
+        still = [seat for seat in still if not measure(work.scene, "at", seat, (id,)).holds]
+        if still:
+            yield f"{', '.join(still)} stayed, away from {id} now: what is to go along has to be named."
 
 
 def bring_together(work: Work, id: str, mates: Sequence[str], do: Callable[[], None]) -> None:
@@ -186,7 +223,8 @@ def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str
     goals: list[Goal] = [drawn if kind == "at" else At(pose[0][:2], min(ASIDE, max(moved / 2, EXACT)))]
     ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)
     target = work.target(mate, old.category, ties, asset.attributes)
-    reaching = Reaching(work, target, asset, goals, direct=(pose,), begin=pose)
+    poses = (pose, _hung(work.scene, asset, pose)) if asset.mount == "wall" else (pose,)
+    reaching = Reaching(work, target, asset, goals, direct=poses, begin=poses[-1])
     if not reaching.run():
         return reaching.why
     for rider in put_back(work, old, [p for p in taken if p.id != mate], before):
@@ -194,6 +232,14 @@ def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str
         if not place_anew(work, lost, carriers=(mate,)):
             return f"{rider} could not go along with {mate}"
     return ""
+
+
+def _hung(scene: Scene, asset: Asset, pose: Pose) -> Pose:
+    """The same place right at the wall that is nearest to it."""
+    (x, y, z), _ = pose
+    wall = min(scene.room.walls, key=lambda wall: abs(wall.coordinates((x, y))[1]))
+    spot = wall.point(wall.coordinates((x, y))[0], asset.size[0] / 2 + BACK_GAP)
+    return (*spot, z), wall.yaw
 
 
 def _along(mate: Placement, old: Placement, new: Placement) -> Pose:

@@ -13,8 +13,10 @@ from msgspec import structs
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
+from thinkblox.editing.company import left_behind
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
+from thinkblox.editing.formations import form, formation_of
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
@@ -30,9 +32,10 @@ from thinkblox.editing.spacing import space
 from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
+from thinkblox.editing.telling import by_distance, named
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
-from thinkblox.editing.wheres import Bound, by_distance, named, slots_of
+from thinkblox.editing.wheres import Bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError
@@ -60,7 +63,7 @@ Doer = Callable[[Work, Finder, Order], None]
 _ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
 _TURNABLE = ("replace", "move", "put", "add", "make", "swap")
 """Orders after which "keep them facing the window" says how what they were about is turned."""
-_CARRYING = ("move", "put", "turn")
+_CARRYING = ("move", "put", "turn", "replace", "make")
 _ON_EITHER = ("remove", "replace", "make", "move", "turn")
 _RESTING = ("on", "in", "inside", "on_top", "from")
 
@@ -301,6 +304,7 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     if hangs_down(work, finder, order):
         hang(work, finder, order)
         return
+    _point_at_known(finder, order)
     _made_room(work, finder, order)
     known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if _is_preferred(finder, order):
@@ -319,6 +323,17 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
             finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _point_at_known(finder: Finder, order: Order) -> None:
+    """Let what is named without a verb, and without an article, be what is there: "wardrobe next to the door"."""
+    if longest("verbs", tokenise(order.text.lower()), 0) is not None:
+        return
+    for phrase in order.things:
+        noun = phrase.noun
+        bare = noun.kind == "thing" and not (noun.det or noun.count or noun.id or noun.degree)
+        if bare and phrase.places and finder.matching(noun):
+            phrase.noun = dataclasses.replace(noun, det="the")
 
 
 def _is_preferred(finder: Finder, order: Order) -> bool:
@@ -438,6 +453,15 @@ _DOERS: dict[str, Doer] = {
 }
 
 
+def _do(work: Work, finder: Finder, order: Order) -> None:
+    """Do what an order says: several things go to a formation as one."""
+    formed = formation_of(order) if order.doing in ("rearrange", "put", "move") and order.things else None
+    if formed is not None:
+        form(work, finder, order, formed)
+    else:
+        _DOERS[order.doing](work, finder, order)
+
+
 def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     """Do what was read; the ids of what it has named last."""
     finder = Finder(work.scene, past=past, start=work.start)
@@ -459,7 +483,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
         try:
             _on_either(order, finder)
             _check_back(order, finder)
-            _DOERS[order.doing](work, finder, order)
+            _do(work, finder, order)
         except InputError as error:
             others = ", ".join(f"'{text}'" for text in dict.fromkeys(o.text for o in orders) if text != order.text)
             if not others or type(error) is not InputError:
@@ -565,7 +589,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     "Take a chair and put it there" is one order, and "keep the chairs around it" says what goes along.
     """
     joined: list[Order] = []
-    for order in _of_those_kept(orders):
+    for order in _with_seats_apart(_of_those_kept(orders)):
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
@@ -594,6 +618,25 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _with_seats_apart(orders: Sequence[Order]) -> list[Order]:
+    """The orders with "make the table bigger, with six chairs" as that, and an order that six chairs are around it."""
+    left: list[Order] = []
+    for order in orders:
+        left.append(order)
+        for phrase in order.things if order.doing == "make" and (order.change or order.looks or order.lengths) else ():
+            said = [w for w in phrase.places if w.word == "with" and w.noun is not None and w.noun.kind == "thing"]
+            along = [w for w in said if w.noun is not None and w.noun.count]
+            theirs = [w.noun for w in said if w.noun is not None and w.noun.det == "my" and w.noun.plural]
+            order.company += [NounPhrase(noun) for noun in theirs]
+            phrase.places = [w for w in phrase.places if w not in along and w.noun not in theirs]
+            head = dataclasses.replace(phrase.noun, det="the")
+            seats = [
+                NounPhrase(w.noun, places=[Where("around", head, text="around")]) for w in along if w.noun is not None
+            ]
+            left += [Order("ensure", order.text, things=[seat], total=True) for seat in seats]
+    return left
 
 
 def _as_is_meant(last: Order | None, order: Order) -> None:
@@ -725,6 +768,7 @@ def _finished(
     done = [*work.done, *([f"{', '.join(carried)} went along with what carries it"] if carried else [])]
     before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
     old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
+    work.notes += left_behind(work)
     if old_faults:
         work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
     report = structs.replace(

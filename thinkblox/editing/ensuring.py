@@ -12,7 +12,8 @@ from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.wheres import BELONGING, Bound, bound, slots_of
+from thinkblox.editing.telling import BELONGING
+from thinkblox.editing.wheres import Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun

@@ -540,6 +540,45 @@ class Spot(At):
 
 
 @dataclass(frozen=True)
+class Traded(Untied):
+    """It stands nearer to where another thing stood than to where it stood itself."""
+
+    point: Vec2
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is from either place."""
+        old, new = before[id].position[:2], after[id].position[:2]
+        says = f"{id} {math.dist(new, self.point):.2f} m from there and {math.dist(new, old):.2f} m from where it was"
+        return math.dist(new, self.point) < math.dist(new, old), says
+
+
+@dataclass(frozen=True)
+class Raised(Untied):
+    """It stands higher than before, or lower."""
+
+    up: bool = True
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """By at least LEAST."""
+        step = after[id].position[2] - before[id].position[2]
+        return step * (1.0 if self.up else -1.0) >= LEAST, f"{id} {abs(step):.2f} m {'higher' if step > 0 else 'lower'}"
+
+
+@dataclass(frozen=True)
+class OnSide(Untied):
+    """It stands in the half of the room that is at a wall."""
+
+    wall: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far its middle is from the wall, which is less than that of the room is."""
+        wall = after.room.wall(self.wall)
+        away = wall.coordinates(after[id].position[:2])[1]
+        half = wall.coordinates(after.room.polygon.centroid.coords[0])[1]
+        return away < half, f"{id} {away:.2f} m from {self.wall}, the middle of the room {half:.2f} m"
+
+
+@dataclass(frozen=True)
 class Along(Untied):
     """It has moved in a direction of the room (unit vector), further than to either side of it."""
 

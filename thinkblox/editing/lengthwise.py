@@ -34,6 +34,9 @@ def lengthwise(work: Work, finder: Finder, id: str, where: Where) -> Iterator[Go
     walls = [wall for wall in work.scene.room.walls if wall.name in names]
     if abs(deep - wide) < ALIKE:
         raise InputError(f"{id} is as wide as it is deep ({wide:.2f} by {deep:.2f} m): it has no long side")
+    if not walls and names == ("wall",):
+        here = work.scene[id].position[:2]
+        walls = [min(work.scene.room.walls, key=lambda wall: abs(wall.coordinates(here)[1]))]
     if len(walls) != 1:
         raise InputError(f"'{where.noun.text if where.noun else 'the wall'}': which wall? Say 'the north wall'")
     if (wide > deep) == (where.text == "long_side"):

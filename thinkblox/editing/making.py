@@ -1,15 +1,17 @@
 """Orders that make something otherwise: the room longer, a thing larger, blue or round, a picture higher."""
 
 import dataclasses
+from functools import partial
 
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.remaking import factors, looks_of, otherwise
 from thinkblox.editing.replacing import replace_one
+from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.resizing import resize
 from thinkblox.editing.spreading_under import spread_under
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 
@@ -85,7 +87,7 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
     ids = work.touched(dict.fromkeys(found))
     for id in ids:
-        _remake_one(work, id, order)
+        with_seats(work, id, partial(_remake_one, work, id, order), asked=bool(order.company))
     finder.recent = list(ids)
 
 
@@ -110,7 +112,7 @@ def _as_another(work: Work, finder: Finder, order: Order) -> Order:
     )
 
 
-def _remake_one(work: Work, id: str, order: Order) -> None:
+def _remake_one(work: Work, id: str, order: Order) -> bool:
     """Let one thing be otherwise where it stands; less so, where there is no room for more and nobody says how much."""
     before, said = work.asset_of(id), len(work.failed)
     for factor in factors(order):
@@ -119,12 +121,13 @@ def _remake_one(work: Work, id: str, order: Order) -> None:
         except InputError as error:
             if len(work.failed) == said:
                 work.failed.append(f"{id} was left as it is: {error}")
-            return
+            return False
         if asset.id == before.id:
             work.done.append(f"{id} stays: it is {looks_of(before)} already")
-            return
+            return True
         tried = len(work.failed)
         if replace_one(work, id, asset, stays=True):
             del work.failed[said:tried]
-            return
+            return True
         del work.failed[said + 1 :]
+    return False

@@ -19,7 +19,7 @@ from thinkblox.editing.acting import (
     related,
     say,
 )
-from thinkblox.editing.carrying import usual_ties
+from thinkblox.editing.carrying import usual_carriers, usual_ties
 from thinkblox.editing.company import company_of, gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
@@ -40,6 +40,8 @@ from thinkblox.editing.goals import (
     MidOf,
     Midway,
     Nearing,
+    OnSide,
+    Raised,
     Related,
     Spot,
 )
@@ -63,19 +65,9 @@ from thinkblox.editing.spots import (
     spots,
     whole_floor,
 )
+from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import (
-    Bound,
-    anchored,
-    bound,
-    by_distance,
-    named,
-    slots_for,
-    slots_of,
-    spare,
-    spot_of,
-    told_by,
-)
+from thinkblox.editing.wheres import Bound, bound, slots_for, slots_of, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -124,6 +116,8 @@ _FAR_OFF = ("to the front", "to the back")
 _TO_FRONT = ("forward", "back")
 _OF_ROW = {"forward": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """By how much a direction of a row is turned against where it looks to [degrees]."""
+FAR_OFF, NEARER = 1.5, 0.7
+"""From how far off what stands at a wall comes closer along walls [m], and to which share of the way at most."""
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -442,12 +436,14 @@ def _split(
     if phrase.places is not places and not phrase.places:
         return here, rest
     told = [w for w in rest if not w.negated and by_distance(w)]
-    if told and phrase.noun.definite and (len(told) < len(rest) or order.mutual or order.together):
+    more = len(told) < len(rest) or order.mutual or order.together or _is_told(order)
+    if told and phrase.noun.definite and more:
         here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
-    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
-        return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
+    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
+        at = len(rest) if directed is None or not order.closer else directed
+        return [*here, *rest[:at]], rest[at:]
     if directed is not None and directed > 0:
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]
@@ -563,6 +559,8 @@ def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: 
         yield Related("on", beside, negated=True)
     if there.kind == "in_centre" and there.anchors == ("centre",) and not there.negated:
         yield Central()
+    if there.kind == "in_front_of" and not there.negated and _sits_before(work, there.anchors, category):
+        yield Related("at", there.anchors)
     if there.kind == "next_to" and where.word == "against" and not there.negated:
         yield Apart(there.anchors, AT_IT, "le")
 
@@ -590,6 +588,13 @@ def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, ph
     if order.rest and not nearer and by is not None:
         return Apart(anchors, by, "ge")
     return Nearing(anchors, nearer, by, order.slight)
+
+
+def _sits_before(work: Work, anchors: Sequence[str], category: str) -> bool:
+    """Whether a chair is put before a desk or table, to which it is drawn up then."""
+    tables = [facts_of(work.scene[name].category) for name in anchors if name in work.scene]
+    drawn = facts_of(category).is_in("seats")
+    return drawn and bool(tables) and all(facts.is_in("tables", "desks") for facts in tables)
 
 
 def _carries(work: Work, anchors: Sequence[str], category: str) -> bool:
@@ -621,12 +626,15 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
+    if order.direction in ("up", "down") and work.asset_of(id).free and not (goals or order.lengths):
+        _to_other_height(work, order, id)
+        return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
         work.done.append(f"{id} stays: it is at {', '.join(gap.anchors)} already")
         return
     if gap is not None:
-        direct: Iterator[Pose] = _by_so_much(work.scene, before, gap)
+        direct: Iterator[Pose] = chain(_along_wall_to(work, id, gap), _by_so_much(work.scene, before, gap))
         done = reach_goals(work, id, goals, direct=direct, ask=True)
     elif order.direction and not order.closer:
         direct, more = _by_step(work, order, before)
@@ -647,11 +655,38 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
         done = _reach_beside(work, id, goals, direct)
+        if done is not None and (half := _in_half(order, goals)):
+            goals = half
+            done = reach_goals(work, id, goals, direct=_half_poses(work, id, half), ask=False)
         if done is not None and with_room_between(
             work, id, goals, lambda: reach_goals(work, id, goals, direct=_spots(work, id, goals)) is None
         ):
             done = None
     say(work, id, before, done, goals)
+
+
+def _in_half(order: Order, goals: Sequence[Goal]) -> list[Goal]:
+    """The goals with the half of the room at a wall in place of that wall, where a side of the room is said."""
+    nouns = [w.noun for w in (*order.places, *(w for p in order.things for w in p.places)) if w.noun is not None]
+    sided = any(noun.kind == "place" and "side" in noun.text.lower().split() for noun in nouns)
+    walled = [g for g in goals if type(g) is Related and g.kind == "against_wall" and len(g.anchors) == 1]
+    if not sided or len(walled) != 1 or walled[0].negated:
+        return []
+    return [OnSide(walled[0].anchors[0]) if goal is walled[0] else goal for goal in goals]
+
+
+def _half_poses(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Along the walls of that half, the nearest to the middle of its wall first, and then on its whole floor."""
+    wall = next(work.scene.room.wall(goal.wall) for goal in goals if isinstance(goal, OnSide))
+    empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    middle = wall.point(wall.length / 2, 0.0)
+    asset, before = work.asset_of(id), work.scene[id]
+    half = wall.coordinates(work.scene.room.polygon.centroid.coords[0])[1]
+    poses = chain(
+        along_walls(empty, asset, middle, math.inf) if at_wall(work.scene, id) else (),
+        whole_floor(empty, asset, structs.replace(before, position=(*middle, before.position[2]))),
+    )
+    yield from (pose for pose in poses if wall.coordinates(pose[0][:2])[1] < half)
 
 
 def _reach_beside(work: Work, id: str, goals: Sequence[Goal], direct: Iterator[Pose]) -> Reaching | None:
@@ -772,6 +807,18 @@ def _by_so_much(scene: Scene, placement: Placement, gap: Nearing) -> Iterator[Po
     yield from by_gap(scene, placement, gap.anchors, [-length if gap.nearer else length for length in lengths])
 
 
+def _along_wall_to(work: Work, id: str, gap: Nearing) -> Iterator[Pose]:
+    """About half of the way to what is far off, for what stands at a wall: at a wall again."""
+    before, asset = work.scene[id], work.asset_of(id)
+    marks = [mark for name in gap.anchors for mark in things(work.scene, name)]
+    plain = gap.nearer and gap.by is None and not gap.slight and len(marks) == 1
+    if not plain or not at_wall(work.scene, id) or gap.of(work.scene, id) < FAR_OFF:
+        return
+    now, there = math.dist(before.position[:2], marks[0].centre), marks[0].centre
+    poses = along_walls(without(work.scene, [id, *(r.id for r in work.scene.riders(id))]), asset, there, NEARER * now)
+    yield from sorted(poses, key=lambda pose: abs(math.dist(pose[0][:2], there) - now / 2))
+
+
 def _aside(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, moved to the distance that is wanted."""
     for goal in (g for g in goals if isinstance(g, Apart)):
@@ -819,6 +866,28 @@ def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[P
         ), [Along(way)]
     goal = shifted(placement, _scaled(way, order.lengths[0][0]))
     return iter([(goal, placement.yaw)]), [At(goal[:2], height=goal[2] if way[2] else None)]
+
+
+def _to_other_height(work: Work, order: Order, id: str) -> None:
+    """Put what rests on something on what is higher, or lower, and carries it: what usually does first."""
+    before, up = work.scene[id], order.direction == "up"
+    usual = usual_carriers(work.scene, before.category)
+    others = [p for p in work.scene.placements if p.id not in usual and work.asset_of(p.id).surfaces and p.id != id]
+    near = [p.id for p in sorted(others, key=lambda p: math.dist(p.position, before.position))]
+    failed: Reaching | None = None
+    for carrier in [*usual, *near]:
+        tops = [work.scene[carrier].position[2] + s.position[2] for s in work.asset_of(carrier).surfaces]
+        if carrier == before.support or (max(tops) > before.position[2] + TOUCHING) != up:
+            continue
+        goals: list[Goal] = [Related("on", (carrier,)), Raised(up)]
+        if (why := reach_goals(work, id, goals, direct=_spots(work, id, goals), ask=True)) is None:
+            say(work, id, before, None, goals)
+            return
+        failed = failed or why
+    if failed is not None:
+        say(work, id, before, failed, ())
+        return
+    raise InputError(f"'{order.text}': nothing that is {'higher' if up else 'lower'} than {id} carries such a thing")
 
 
 def _scaled(way: Vec3, length: float) -> Vec3:

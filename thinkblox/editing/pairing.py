@@ -10,7 +10,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import EXACT, At, Goal, Turned
 from thinkblox.editing.orders import Order
 from thinkblox.editing.spots import near_offsets
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
@@ -74,12 +74,14 @@ def _poses(work: Work, ids: Sequence[str], mutual: str, *, placed: bool) -> Iter
 
 
 def _middles(work: Work, first: str, gap: float, *, placed: bool, away: bool) -> Iterator[tuple[Vec2, float]]:
-    """Where the two meet and which way the first of them is from there [degrees], the best first."""
+    """Where the two meet and which way the first of them is from there [degrees], the best first.
+
+    Where nobody says where, that is the place of the first; what has no room there comes to the middle of the room.
+    """
     if not placed:
         thing = work.scene[first]
         way = thing.yaw + (0.0 if away else 180.0)
         yield _out(thing.position[:2], way, -(thing.size[0] + gap) / 2), way
-        return
     centre = work.scene.room.polygon.centroid.coords[0]
     found = [(step, turn) for step in near_offsets(MIDDLE)[::4] for turn in (0.0, 90.0)]
     for (x, y), turn in found[:TRIES]:

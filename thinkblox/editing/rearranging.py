@@ -12,7 +12,8 @@ from thinkblox.editing.goals import Goal, Region, Related, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.removing import left_over
-from thinkblox.editing.wheres import bound, corner_near, named, spare
+from thinkblox.editing.telling import named, spare
+from thinkblox.editing.wheres import bound, corner_near
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import PlaceZone, Zone, place_named, zones_of
 from thinkblox.errors import InputError

@@ -10,7 +10,8 @@ from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.rows import rows_of_all
-from thinkblox.editing.wheres import bound, named, slots_of, spare
+from thinkblox.editing.telling import named, spare
+from thinkblox.editing.wheres import bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where

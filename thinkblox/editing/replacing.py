@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
+from functools import partial
 
 from thinkblox.editing.acting import related
 from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
@@ -15,8 +16,10 @@ from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import MORE, compared, looks_of, otherwise
 from thinkblox.editing.removing import take_away
+from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.spots import Pose, along_walls, at_wall
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.telling import named
+from thinkblox.editing.wheres import Bound, bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed
@@ -59,7 +62,8 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     first = order.instead[0]
     count, before = _how_many(order, ids, first.noun), work.scene
     for id in ids[:count]:
-        if _comes_in_place(work, id, first.noun):
+        become = partial(_comes_in_place, work, id, first.noun)
+        if with_seats(work, id, become, asked=bool(order.company)):
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])

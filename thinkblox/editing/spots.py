@@ -23,13 +23,13 @@ from thinkblox.editing.goals import (
     Related,
 )
 from thinkblox.scene.asset import Asset
-from thinkblox.scene.bearings import place_of
+from thinkblox.scene.bearings import bearing, place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.nearby import BACK_GAP, EYE
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.relations import measure
-from thinkblox.scene.room import Opening, Wall
+from thinkblox.scene.room import Opening, Wall, turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
 
@@ -123,9 +123,17 @@ def _on_floor_beside(scene: Scene, asset: Asset, thing: Placement, kind: str) ->
     """At a side of a thing, or of something small that stands on the floor beside it at any."""
     if kind != "next_to" and asset.mount == "floor":
         yield from _beside(asset, thing, kind)
+    elif kind == "next_to" and asset.mount == "floor" and thing.support == "floor":
+        yield from _into_room(scene, [pose for side in BESIDE for pose in _beside(asset, thing, side)])
     elif kind == "next_to" and asset.mount == "surface" and thing.support == "floor":
         for side in BESIDE:
             yield from _beside(asset, thing, side)
+
+
+def _into_room(scene: Scene, poses: Iterable[Pose]) -> list[Pose]:
+    """The poses, those first that look most to the middle of the room."""
+    x, y = scene.room.polygon.centroid.coords[0]
+    return sorted(poses, key=lambda pose: round(turn_between(pose[1], bearing(pose[0][:2], (x, y))) / 45.0))
 
 
 def _by_small(asset: Asset, thing: Placement) -> Iterator[Pose]:
@@ -148,9 +156,10 @@ def _at_part(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     elif goal.kind == "against_wall":
         for wall in (wall for name in goal.anchors for wall in walls(scene.room, name)):
             yield from _at_wall(asset, wall)
-    elif goal.kind in ("left_of", "right_of"):
+    elif goal.kind in ("left_of", "right_of", "next_to"):
         for opening in (o for o in scene.room.openings if goal.anchors[0] in (o.id, o.kind)):
-            yield from _beside_opening(scene, asset, opening, goal.kind)
+            for side in ("left_of", "right_of") if goal.kind == "next_to" else (goal.kind,):
+                yield from _beside_opening(scene, asset, opening, side)
 
 
 def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:

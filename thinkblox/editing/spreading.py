@@ -15,7 +15,8 @@ from thinkblox.editing.goals import At, Goal, OnWall, Related
 from thinkblox.editing.orders import Order
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import BACK, Pose, hides_opening, whole_floor
-from thinkblox.editing.wheres import bound, named
+from thinkblox.editing.telling import named
+from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.scene.nearby import BACK_GAP

@@ -5,7 +5,7 @@ from thinkblox.editing.goals import At
 from thinkblox.editing.orders import Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.remaking import looks_of
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 

@@ -10,13 +10,13 @@ from msgspec import structs
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
-from thinkblox.editing.company import REACH, mates_of, with_company
+from thinkblox.editing.company import REACH, bring_overhead, mates_of, with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal, Region, Within
+from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose, along_walls, at_wall
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round
 from thinkblox.errors import InputError
@@ -79,8 +79,14 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    one, other = ids
-    before = work.scene
+    if not bring_overhead(work, ids, lambda: _exchange(work, *ids)):
+        _exchange(work, *ids)
+    finder.recent = ids
+
+
+def _exchange(work: Work, one: str, other: str) -> None:
+    """Let two things change places: exactly, or as near to that as each can stand."""
+    ids, before = (one, other), work.scene
     action = Swap(id=one, other=other)
     after = before.apply(action)
     verdict = work.world.ruled_out(action) or work.world.measure(action)
@@ -114,7 +120,6 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         where = f"{away:.2f} m from" if away > AWAY else "to"
         why = f"; exactly exchanged, {verdict}" if away > AWAY and not verdict.valid else ""
         work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was{why}")
-    finder.recent = ids
 
 
 def _swap_with_company(work: Work, finder: Finder, order: Order) -> None:
@@ -148,7 +153,9 @@ def _swap_nearby(work: Work, one: str, other: str) -> str:
         partner = before[other if id == one else one]
         reach = SWAPPED + (max(before[id].size[:2]) + max(partner.size[:2])) / 4
         asset, pose = work.assets[before[id].asset], exchanged[id]
-        goals: list[Goal] = [At(partner.position[:2], reach)]
+        goals: list[Goal] = [At(partner.position[:2], reach), Traded(partner.position[:2])]
+        if at_wall(before, id) and at_wall(before, partner.id):
+            goals.append(Related("against_wall", ("wall",)))
         target = work.target(id, before[id].category, (), asset.attributes)
         walled = along_walls(work.scene, asset, partner.position[:2], reach) if at_wall(before, id) else ()
         poses = chain(walled, _about(work, id, pose))
@@ -190,10 +197,10 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
         target = work.target(id, old.category, (), asset.attributes)
         begin: Pose = ((x, y, old.position[2]), before[group[0]].yaw)
         pose = placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1])
+        poses = _about(work, id, pose)
         if id in partners:
             partner = before[partners[id]]
-            pose, goals = structs.replace(pose, position=partner.position, yaw=partner.yaw), [At(partner.position[:2])]
-        poses = _about(work, id, pose)
+            poses, goals = _in_place_of(work, old, partner)
         reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=begin, tries=SWAP_TRIES)
         if not reaching.run():
             work.restore(saved)
@@ -208,9 +215,24 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
     work.done += [moved_words(before[id], work.scene[id]) for id in where]
 
 
+def _in_place_of(work: Work, old: Placement, partner: Placement) -> tuple[Iterator[Pose], list[Goal]]:
+    """Where a thing goes that takes the place of another: right there if it is of the same kind, else about there."""
+    asset = work.assets[old.asset]
+    there = structs.replace(old, position=partner.position, yaw=partner.yaw)
+    if partner.category == old.category:
+        return _about(work, old.id, there), [At(partner.position[:2])]
+    reach = SWAPPED + (max(old.size[:2]) + max(partner.size[:2])) / 4
+    walled = at_wall(work.start, partner.id) and asset.mount == "floor"
+    by_wall = along_walls(work.scene, asset, partner.position[:2], reach) if walled else ()
+    return chain(by_wall, _about(work, old.id, there)), [At(partner.position[:2], reach)]
+
+
 def _partners(scene: Scene, ones: Sequence[str], others: Sequence[str]) -> dict[str, str]:
-    """Which thing of the other group each takes the place of, where both hold the same kinds: in their order."""
+    """Which of the other group each takes the place of, where both hold the same kinds, or as many of one kind."""
     kinds = [sorted(scene[id].category for id in group) for group in (ones, others)]
+    if kinds[0] != kinds[1] and len(ones) == len(others) and all(len(set(names)) == 1 for names in kinds):
+        ordered = [sorted(ids, key=lambda id: scene[id].position[:2]) for ids in (ones, others)]
+        return {id: other for pair in zip(*ordered, strict=True) for id, other in (pair, pair[::-1])}
     if kinds[0] != kinds[1]:
         return {}
     pairs: dict[str, str] = {}

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain
 
 from msgspec import structs
+from shapely import LineString
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
@@ -16,7 +17,8 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import Pose, at_wall, free, near_offsets
-from thinkblox.editing.wheres import bound, named, spare
+from thinkblox.editing.telling import named, spare
+from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
@@ -37,6 +39,8 @@ SHIFTED = 0.1
 """How far it may be moved without saying so [m]."""
 ABOUT = 15.0
 """How far past a thing something may look that is to face it and does so already [degrees]."""
+FAR = 50.0
+"""Further than anything in a room [m]."""
 SLIGHT_TURN = 15.0
 """How far something is turned that is turned a bit [degrees]."""
 
@@ -195,7 +199,10 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
     """Turn one object to what it is to face: straight to it where that is said, or where it is so only about."""
     before = work.scene[id]
     so = all(goal.check(work.before, work.scene, id)[0] for goal in goals)
-    about = so and not all(goal.check(work.before, work.scene, id)[0] for goal in _straight(goals, ABOUT))
+    about = so and not all(
+        _is_before_it(work.scene, id, goal) or goal.check(work.before, work.scene, id)[0]
+        for goal in _straight(goals, ABOUT)
+    )
     straight = _straight(goals, STRAIGHT)
     if straight != list(goals) and (aimed or about):
         there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
@@ -219,6 +226,16 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
     failed = reach_goals(work, id, [*goals, there], direct=iter(poses))
     say(work, id, before, failed, goals)
     _say_moved(work, before)
+
+
+def _is_before_it(scene: Scene, id: str, goal: Goal) -> bool:
+    """Whether a thing looks right at another, wherever on it: a desk below a wide window does."""
+    if not isinstance(goal, Straight):
+        return False
+    mark = things(scene, id)[0]
+    (x, y), way = mark.centre, math.radians(mark.gaze)
+    sight = LineString([(x, y), (x + FAR * math.cos(way), y + FAR * math.sin(way))])
+    return any(sight.intersects(m.footprint) for name in goal.anchors for m in things(scene, name))
 
 
 def _pulled_out(scene: Scene, before: Placement, poses: Sequence[Pose]) -> list[Pose]:

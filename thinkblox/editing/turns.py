@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.wheres import named
+from thinkblox.editing.telling import named
 from thinkblox.errors import InputError
 
 _LEAVING = ("put", "move", "remove", "resite", "replace")

@@ -55,6 +55,7 @@ class Work:
         done: what was done, in sentences.
         failed: what could not be done, with what was measured.
         notes: what else there is to say.
+        left: which things left which seats behind.
         freed: Places that are kept free.
         kept: ids that must not be touched.
         wishes: what was asked of each object and done.
@@ -74,6 +75,7 @@ class Work:
     done: list[str] = field(default_factory=list)
     failed: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    left: list[tuple[str, list[str]]] = field(default_factory=list)
     freed: tuple[str, ...] = ()
     kept: frozenset[str] = frozenset()
     wishes: list[Wish] = field(default_factory=list)

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.editing.grammar import longest
+from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import DEGREES
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
@@ -67,6 +67,52 @@ def in_between(tokens: Sequence[Token]) -> list[Token]:
     return left
 
 
+def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 3)):
+        if tokens[at].text != "with" or tokens[at + 1].text not in ("a", "an"):
+            continue
+        end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
+        end = min(at + MOST_NAMED, len(tokens)) if end is None else end
+        on_it = [token.text for token in tokens[end - 2 : end]] in (["on", "it"], ["on", "them"])
+        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].kind == "mark"), 0)
+        verbs = [(n, longest("verbs", tokens, n)) for n in range(begin, at)]
+        after = [tokens[n + found[1]].text for n, found in verbs if found is not None and found[0] in ("put", "move")]
+        if on_it and any(word in ("the", "my", "both", "it", "them") for word in after):
+            comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
+            left[at : at + 1] = [comma, replace(add, shown=tokens[at].shown)]
+    return left
+
+
+def in_its_place(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 2)):
+        words = [token.text for token in tokens[at : at + 3]]
+        its = {"it": "its", "them": "their"}.get(words[2], "")
+        if words[:2] == ["instead", "of"] and its and tokens[at - 1].text in (*_BREAKS, "and"):
+            place = [replace(token, start=-1) for token in tokenise(f"in {its} place")]
+            place[0] = replace(place[0], shown=" ".join(t.shown for t in tokens[at : at + 3]), start=tokens[at].start)
+            left[at : at + 3] = place
+    return left
+
+
+def without_rather_than(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(I'd rather have the bench here) than there" left out, and "than a sofa" as "instead of"."""
+    at = next((n for n, token in enumerate(tokens) if token.text == "than" and n + 1 < len(tokens)), None)
+    if at is None or not any(token.text in ("rather", "prefer", "sooner") for token in tokens[:at]):
+        return list(tokens)
+    end = next((n for n in range(at, len(tokens)) if tokens[n].text in _BREAKS), len(tokens))
+    if grammar().at(tokens, at + 1, "prepositions") is not None or tokens[at + 1].text in ("where", "here", "there"):
+        return [*tokens[:at], *tokens[end:]]
+    if tokens[at + 1].text not in ("a", "an", *_ARTICLES):
+        return list(tokens)
+    the = Token("the", "the", "word", start=-1)
+    instead = [replace(tokens[at], text="instead"), Token("of", "of", "word", start=-1), the]
+    return [*tokens[:at], *instead, *tokens[at + 2 :]]
+
+
 def something_instead(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "no lamp; two candles instead" as "remove the lamp; add two candles"."""
     if len(tokens) < 3 or tokens[0].text != "no" or tokens[1].kind != "word" or longest("fillers", tokens, 0):
@@ -116,6 +162,19 @@ def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         head = _first_thing(lexicon, tokens[begun[-1] : at - 2]) if begun else _last_thing(lexicon, tokens[: at - 1])
         if head is not None:
             left.insert(at + 1, replace(head, text=singular(head.text), owner=False, start=-1))
+    return left
+
+
+def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about."""
+    left = list(tokens)
+    for at in reversed(range(1, len(tokens))):
+        if tokens[at].text not in ("mine", "ours", "yours"):
+            continue
+        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in (".", ";", "!", "?")), 0)
+        if (head := _first_thing(lexicon, tokens[begin:at])) is not None:
+            the = replace(tokens[at], text="the")
+            left[at : at + 1] = [the, replace(head, text=singular(head.text), start=-1)]
     return left
 
 
@@ -211,3 +270,38 @@ def _kinds(lexicon: Lexicon, name: str) -> list[str]:
     found = lexicon.longest(tokens, 0)
     named = [entry.value for entry in found.entries if entry.sort == "object"] if found.length == len(tokens) else []
     return [name.lower().replace(" ", "_"), *named]
+
+
+def without_commas(tokens: list[Token]) -> list[Token]:
+    """The tokens with no comma between two adjectives: "a bigger, round one"."""
+    return [token for at, token in enumerate(tokens) if not (token.text == "," and _is_of_adjectives(tokens, at))]
+
+
+def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
+    if at < 2 or at + 2 > len(tokens):
+        return False
+    adjective = means("comparatives", tokens[at - 1].text) or means("sizes", tokens[at - 1].text)
+    begun = tokens[at - 2].text in ("a", "an", "the", "another", "some")
+    return bool(adjective) and begun and tokens[at + 1].kind == "word" and tokens[at + 1].text not in ("and", "please")
+
+
+def included(tokens: list[Token]) -> list[Token]:
+    """The tokens, where "turn the table, chairs included" says that it is turned with its chairs."""
+    read = list(tokens)
+    for at in reversed([n for n, token in enumerate(tokens) if means("included", token.text) or _is_too(tokens, n)]):
+        comma = next((n for n in range(at - 1, max(at - 4, 0), -1) if read[n].text == ","), None)
+        if comma is not None and comma < at - 1:
+            own = () if read[comma + 1].text in ("the", "its", "their") else tokenise("its")
+            said = [replace(token, start=-1) for token in (*tokenise("with"), *own)]
+            read[comma : at + 1] = [*said, *read[comma + 1 : at]]
+    return read
+
+
+def _is_too(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is that of ", chairs too": a bare word between a comma and it."""
+    return (
+        tokens[at].text == "too"
+        and at > 1
+        and tokens[at - 2].text == ","
+        and tokens[at - 1].text not in ("it", "them", "this", "that", "these", "those")
+    )

@@ -18,6 +18,7 @@ _ANYWHERE = (
     "centred",
 )  # fmt: skip
 _AT_END = ("round", "away", "places_of_both", "together", "there")
+_AFTER_TOGETHER = ("for", "against", "along", "at", "by", "under", "near")
 _PUTTING = ("add", "put", "move", "ensure")
 _TO_A_PLACE = ("put", "move", "turn", "add")
 """Orders in which "the nearest corner" is that which is nearest to what they are about."""
@@ -232,7 +233,7 @@ class ClauseCutter:
             return OrderMark("markers", key), length
         if key == "there" and self._doing not in _PUTTING:
             key = "as_is"
-        followed = at + length < len(tokens) and key == "together" and tokens[at + length].text == "for"
+        followed = at + length < len(tokens) and key == "together" and tokens[at + length].text in _AFTER_TOGETHER
         if key in _AT_END and (followed or self._ends(tokens, at + length)):
             return OrderMark("markers", key), length
         return None

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from thinkblox.editing.clauses import Clause
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.reading.clauses import Clause
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where

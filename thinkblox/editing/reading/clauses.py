@@ -34,12 +34,16 @@ _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
 _THE = Token("the", "the", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
+_PLATES = Token("plates", "plates", "word", start=-1)
+_LAID = ("the", "it", "my", "our", "each", "every", "both", "them")
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
 _IS = Token("is", "is", "word", start=-1)
 _ON = Token("on", "on", "word", start=-1)
 _OF = Token("of", "of", "word", start=-1)
 _IN = frozenset(("in", "inside", "with"))
+_BY_WALL = frozenset(("against", "along", "under"))
+"""Where things that are pushed "together" can come to stand so."""
 _FROM = Token("from", "from", "word", start=-1)
 _OUT_OF_WAY = tuple(Token(word, word, "word", start=-1) for word in ("out", "of", "the", "way", "of"))
 
@@ -88,9 +92,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
     tokens = _led(tokens)
-    starts = _going_on(tokens, list(_starts(tokens))) or _asked_for(tokens)
-    lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
-    starts, lead = _unwanted(tokens, starts, lead)
+    starts, lead = _begun(tokens)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
     new = _obtained(lead)
     lead = [] if about or disliked or new or _is_reason(lead) else lead
@@ -129,6 +131,16 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made += _denied(clause) if start.denied else [clause]
     return made
+
+
+def _begun(tokens: Sequence[Token]) -> tuple[list[_Start], Sequence[Token]]:
+    """Where the clauses begin, and what comes before the first."""
+    starts = _going_on(tokens, list(_starts(tokens))) or _asked_for(tokens)
+    lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
+    if starts and _is_terse(lead):
+        starts = [_Start(_first(lead), _first(lead), "want"), *starts]
+        lead = tokens[: starts[0].begin]
+    return _unwanted(tokens, starts, lead)
 
 
 def _going_on(tokens: Sequence[Token], starts: list[_Start]) -> list[_Start]:
@@ -340,10 +352,28 @@ def _is_reason(lead: Sequence[Token]) -> bool:
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:
-    """What is asked for without a verb: "a bigger bed please"."""
-    asked = any(token.text in ("please", "pls", "plz") for token in tokens)
+    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa"."""
+    asked = any(token.text in ("please", "pls", "plz") for token in tokens) or _is_terse(tokens)
     first = _first(tokens)
     return [_Start(first, first, "want")] if asked and first < len(tokens) else []
+
+
+def _is_terse(tokens: Sequence[Token]) -> bool:
+    """Whether words name a thing and where or how it is to be, and no more: "bigger mirror", "desk under the window".
+
+    What tells or asks something has a verb, what names nothing but a place begins with that.
+    """
+    first = _first(tokens)
+    said = [token for token in tokens[first:] if token.text not in (*ENDS, ",", "and")]
+    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or means("anybody", said[0].text):
+        return False
+    verbs = any(
+        grammar().at(said, n, "verbs", "conditions") is not None
+        or any(longest(s, said, n) for s in ("conditions", "statements", "dislikes", "denials", "verbs"))
+        for n in range(len(said))
+    )
+    placed = any(grammar().at(said, n, "prepositions") is not None for n in range(1, len(said) - 1))
+    return not verbs and (placed or bool(means("comparatives", said[0].text)))
 
 
 def _is_last(tokens: Sequence[Token], at: int) -> bool:
@@ -353,7 +383,13 @@ def _is_last(tokens: Sequence[Token], at: int) -> bool:
 def _of_lacking(clause: Clause) -> Clause:
     """A clause by which something is added to those that have none, as one by which each is to have it."""
     lacking = _without(clause.tokens, "lacking") if clause.doing in ("add", "put") else None
-    return Clause("ensure", "", lacking, clause.text) if lacking is not None else clause
+    if lacking is None:
+        return clause
+    at = next(n for n in range(len(clause.tokens)) if longest("lacking", clause.tokens, n) is not None)
+    the = next((n for n in range(at - 1, max(at - 4, 0), -1) if lacking[n].text == "the"), None)
+    if the is not None:
+        lacking = (*lacking[:the], replace(lacking[the], text="every"), *lacking[the + 1 :])
+    return Clause("ensure", "", lacking, clause.text)
 
 
 def _turned_about(clause: Clause) -> Clause:
@@ -363,8 +399,8 @@ def _turned_about(clause: Clause) -> Clause:
         if any(grammar().at(tokens, n, "prepositions") is not None for n in range(len(tokens))):
             raise InputError(f"'{clause.text}' says what is not to be done; say what is")
         return Clause("remove", "", tokens, clause.text)
-    if clause.doing == "seat":
-        return _seated(clause)
+    if clause.doing in ("seat", "put"):
+        return _seated(clause) if clause.doing == "seat" else _laid(clause) or _fewer(clause) or clause
     if clause.doing == "copy":
         if not tokens or tokens[0].text in ("all", "both", "every", "each", "everything"):
             raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
@@ -373,7 +409,7 @@ def _turned_about(clause: Clause) -> Clause:
         return Clause("add", "", body, clause.text)
     if clause.doing in ("gather", "spread"):
         return _gathered_or_spread(clause)
-    if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
+    if clause.doing in (*_BRINGS, "give") and (fewer := _fewer(clause)) is not None:
         return fewer
     if clause.doing != "give":
         return clause
@@ -384,6 +420,25 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _laid(clause: Clause) -> Clause | None:
+    """Read "set the table with six plates", "lay the table for four", as what comes onto that; None where it is other.
+
+    What is set for so many gets a plate for each.
+    """
+    tokens = [token for token in clause.tokens if token.text not in ENDS]
+    at = next((n for n, token in enumerate(tokens) if token.text in ("with", "for")), 0)
+    verb, pointed = clause.text.lower().split(" ", 1)[0], tokens[:1] and tokens[0].text in _LAID
+    if verb not in ("set", "lay") or not at or not pointed or len(tokens) < at + 2:
+        return None
+    counted = tokens[at + 1].kind == "number" or grammar().at(tokens, at + 1, "count") is not None
+    if tokens[at].text == "with" and (counted or tokens[at + 1].text in ("a", "an", "some")):
+        return Clause("add", "", (*tokens[at + 1 :], _TO, *tokens[:at]), clause.text)
+    people = tokens[at + 2 :] and grammar().knows(tokens[at + 2].text, "people")
+    if tokens[at].text == "for" and counted and (len(tokens) == at + 2 or people):
+        return Clause("add", "", (tokens[at + 1], _PLATES, _TO, *tokens[:at]), clause.text)
+    return None
 
 
 def _gathered_or_spread(clause: Clause) -> Clause:
@@ -398,13 +453,19 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
         faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
-        word = () if placed - _IN or faced else (_TOGETHER,)
+        kept = _BY_WALL if _says_together(clause) else frozenset()
+        word = () if placed - _IN - kept or faced else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
     if clause.doing == "spread" and (over := _without(tokens, "all_over")) is not None:
         return Clause("spread", "", over, clause.text)
     if placed - {"by", "from"}:
         raise InputError(f"'{clause.text}': how things are spread over a place is not followed; say where each goes")
     return Clause("move", "", (*tokens, _APART), clause.text)
+
+
+def _says_together(clause: Clause) -> bool:
+    """Whether its verb is that of "push together"."""
+    return "together" in clause.text.lower().split()
 
 
 def _without(tokens: Sequence[Token], section: str) -> tuple[Token, ...] | None:
@@ -537,7 +598,7 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
         if before not in (*ENDS, *_LINKS) and not (index and _is_filler(left[:index], left[index - 1])):
             continue
         for after in range(index + 2, len(left)):
-            joined = left[after].text in _LINKS and not _start_of_verb(left, after + 1)
+            joined = left[after].text in _LINKS and not starts_with_verb(left, after + 1)
             if left[after].text in (*ENDS, *_LINKS) and not joined:
                 break
             if means("particles", left[after].text) and _parted(left, index, after):
@@ -658,12 +719,13 @@ def _coordinated(tokens: Sequence[Token], start: _Start) -> int:
             return index + wish[1] if wish is not None else start.body
         if tokens[index].text == "," or longest("wishes", tokens, index) is not None:
             return start.body
-        if tokens[index].text in _LINKS and _start_of_verb(tokens, index + 1):
+        if tokens[index].text in _LINKS and starts_with_verb(tokens, index + 1):
             return start.body
     return start.body
 
 
-def _start_of_verb(tokens: Sequence[Token], at: int) -> bool:
+def starts_with_verb(tokens: Sequence[Token], at: int) -> bool:
+    """Whether an order may begin there, in the middle of a sentence."""
     return at < len(tokens) and _verb(tokens, at, first=False) is not None
 
 

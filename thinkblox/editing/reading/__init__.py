@@ -1,0 +1,5 @@
+"""Instructions as orders."""
+
+from thinkblox.editing.reading.instruction import MAX_INSTRUCTION, read_instruction
+
+__all__ = ["MAX_INSTRUCTION", "read_instruction"]

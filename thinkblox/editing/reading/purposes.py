@@ -1,0 +1,189 @@
+"""What somebody says that an order is for, or why: a view is what a thing is to face, all else asks for nothing."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.editing.grammar import longest, means
+from thinkblox.editing.reading.clauses import ENDS, starts_with_verb
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.tokens import Token, tokenise
+
+MOST_OF_PERSON = 6
+"""Most words by which somebody is named before what they do: "the person who sits there"."""
+_NAMING = ("the", "my", "our", "a", "an", "each", "both")
+_AGAIN = ("it", "them")
+_FROM_IT = ("it", "them", "there", "here")
+_PARTING = (",", "and", "then", "but")
+
+
+def without_purposes(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what an order is for, or why it is given.
+
+    "So that I can see the door (from it)" is "so that it faces the door", "so that I can sit at the window" is "at the
+    window"; "so that I can read there", "so that four kids can draw" and "because it is dark there" ask for nothing.
+    What people are to get to, or through, is left as it is: that asks for space.
+    """
+    left = _untold(_views_first(_without_told_reason(without_given(tokens))))
+    for at in reversed(range(len(left))):
+        if at >= len(left):
+            continue
+        if longest("reasons", left, at) is not None or (_begins(left, at) and left[at].text in ("since", "as")):
+            left = _without_reason(left, at)
+        elif left[at].text == "so":
+            left = _without_purpose(left, at)
+    return left
+
+
+def _without_reason(tokens: list[Token], at: int) -> list[Token]:
+    """Without "because it is dark there"; of "because the desk is too small, replace it" only the first word goes."""
+    found = longest("reasons", tokens, at) or ("", 1)
+    after = at + found[1]
+    comma = next((n for n in range(after, len(tokens)) if tokens[n].text == ","), 0)
+    again = any(token.text in _AGAIN for token in tokens[comma : comma + 3])
+    if _begins(tokens, at) and _person(tokens, after) and comma and not again:
+        return [*tokens[:at], *tokens[comma + 1 :]]
+    if _begins(tokens, at):
+        return [*tokens[:at], *tokens[after:]]
+    return _cut(tokens, at, _end(tokens, at + found[1]))
+
+
+def _begins(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a sentence begins there."""
+    return at == 0 or tokens[at - 1].text in ENDS
+
+
+def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
+    said = at + 1 + (tokens[at + 1].text == "that" if at + 1 < len(tokens) else 0)
+    person = _person(tokens, said)
+    if not person or at == 0:
+        return tokens
+    done = said + person
+    able = longest("able", tokens, done)
+    done += able[1] if able is not None else 0
+    end = _end(tokens, done)
+    if (seen := longest("seeing", tokens, done)) is not None:
+        words = tokenise("so that it faces")
+        shown = " ".join(token.shown for token in tokens[at : done + seen[1]])
+        faces = [replace(words[0], shown=shown, start=tokens[at].start), *(replace(w, start=-1) for w in words[1:])]
+        return [*tokens[:at], *faces, *_without_from(tokens[done + seen[1] : end]), *tokens[end:]]
+    if (sits := longest("sitting", tokens, done)) is not None and _placed(tokens, done + sits[1]):
+        return [*tokens[:at], *tokens[done + sits[1] :]]
+    needs_way = any(means("getting", token.text) for token in tokens[done:end])
+    return tokens if able is None or needs_way else _cut(tokens, at, end)
+
+
+def _person(tokens: Sequence[Token], at: int) -> int:
+    """How many tokens name somebody who does something; 0 where it is a thing: "I", "four kids", "whoever sits there".
+
+    Who is named by more than a word is followed to what they can do, or see.
+    """
+    begun = at
+    while at < len(tokens) and (tokens[at].kind == "number" or means("before_persons", tokens[at].text)):
+        at += 1
+    if at >= len(tokens) or not (means("anybody", tokens[at].text) or grammar().knows(tokens[at].text, "people")):
+        return 0
+    for after in range(at + 1, min(at + MOST_OF_PERSON, len(tokens))):
+        if tokens[after].kind == "mark":
+            break
+        if any(longest(section, tokens, after) is not None for section in ("able", "unable", "seeing")):
+            return after - begun
+    return at + 1 - begun
+
+
+def _placed(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a place follows that names a thing: "in front of the mirror", not "at it", "in teams"."""
+    found = grammar().at(tokens, at, "prepositions")
+    after = at + found.length if found is not None else at
+    return found is not None and after < len(tokens) and tokens[after].text in _NAMING
+
+
+def _without_from(tokens: Sequence[Token]) -> list[Token]:
+    """What is seen, without "from it", "from there", "from the desk"."""
+    at = next((n for n, token in enumerate(tokens) if token.text == "from"), len(tokens))
+    return list(tokens[:at])
+
+
+def _end(tokens: Sequence[Token], at: int) -> int:
+    """Where what begins there ends: with the sentence, or before another order."""
+    for end in range(at, len(tokens)):
+        if tokens[end].text in ENDS:
+            return end
+        if tokens[end].text in _PARTING and starts_with_verb(tokens, end + 1):
+            return end
+    return len(tokens)
+
+
+def _cut(tokens: Sequence[Token], at: int, end: int) -> list[Token]:
+    begin = at - 1 if at and tokens[at - 1].text == "," else at
+    return [*tokens[:begin], *tokens[end:]]
+
+
+def _without_told_reason(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what people do, before ", so (move it)": "it" is then what they do it with, named last.
+
+    What is told of a thing, "the desk is too small, so", is read with the order.
+    """
+    person = _person(tokens, 0)
+    at = next((n for n in range(1, len(tokens) - 1) if tokens[n].text == "so" and tokens[n - 1].text == ","), 0)
+    verb = at + 1 + (tokens[at + 1].text == "please" if at else 0)
+    ordered = any(longest(section, tokens, verb) is not None for section in ("verbs", "resizing"))
+    read = any(longest(section, tokens, 0) is not None for section in ("verbs", "dislikes", "obtained"))
+    if not (person and at and ordered) or read or any(token.text in ENDS for token in tokens[:at]):
+        return list(tokens)
+    again = next((n for n in range(verb + 1, min(verb + 3, len(tokens))) if tokens[n].text in _AGAIN), None)
+    begin = next((n for n in range(at - 2, person - 1, -1) if tokens[n].text in _NAMING), None)
+    if again is None:
+        return list(tokens[verb:])
+    if begin is None:
+        return list(tokens)
+    return [*tokens[verb:again], *tokens[begin : at - 1], *tokens[again + 1 :]]
+
+
+def _untold(tokens: list[Token]) -> list[Token]:
+    """The tokens without what people are told of at the end of an order: "(remove the rug), we never use it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens))):
+        told = tokens[at - 1].text == "," and _person(tokens, at) and longest("verbs", tokens, at) is None
+        end = next((n for n in range(at, len(tokens)) if tokens[n].text in ENDS), len(tokens))
+        if not told or any(token.text == "," for token in tokens[at:end]) or end < at + 3:
+            continue
+        again = tokens[end - 1].text in (*_FROM_IT, "anymore", "more")
+        ordered = any(tokens[n - 1].text in _PARTING and starts_with_verb(tokens, n) for n in range(at + 1, end))
+        if again and not ordered:
+            del left[at - 1 : end]
+    return left
+
+
+def without_given(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "if there is a plant, move it" as "move the plant": where there is none, that is said."""
+    words = [token.text for token in tokens[:4]]
+    begin = 4 if words[:1] == ["if"] and words[1:3] in (["there", "is"], ["there", "are"]) else 0
+    end = next((n for n, token in enumerate(tokens) if token.text == ","), 0)
+    if not begin or words[3] not in ("a", "an", "any", "some", "still") or not begin < end <= begin + MOST_OF_PERSON:
+        return list(tokens)
+    at = next((n for n in range(end + 1, len(tokens)) if tokens[n].text in _AGAIN), None)
+    named = [token for token in tokens[begin:end] if token.text not in ("a", "an", "any", "some", "still")]
+    if at is None or any(token.text in (*ENDS, ",") for token in tokens[end + 1 : at]):
+        return list(tokens)
+    the = replace(tokens[3], text="the")
+    return [*tokens[end + 1 : at], the, *named, *tokens[at + 1 :]]
+
+
+def _views_first(tokens: list[Token]) -> list[Token]:
+    """The tokens with "I can't see the TV from the chairs, turn them" as "turn the chairs so that it faces the TV"."""
+    person = _person(tokens, 0)
+    lacks = longest("unable", tokens, person) if person else None
+    seen = longest("seeing", tokens, person + lacks[1]) if lacks is not None else None
+    if lacks is None or seen is None:
+        return tokens
+    begin = person + lacks[1] + seen[1]
+    end = next((n for n in range(begin, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
+    whence = next((n for n in range(begin, end) if tokens[n].text == "from"), None)
+    verb = end + 1 + sum(token.text in ("so", "please") for token in tokens[end + 1 : end + 3])
+    found = longest("verbs", tokens, verb) if verb < len(tokens) else None
+    again = verb + found[1] if found is not None else len(tokens)
+    if whence is None or found is None or again >= len(tokens) or tokens[again].text not in _AGAIN:
+        return tokens
+    faces = [replace(token, start=-1) for token in tokenise("so that it faces")]
+    about = tokens[whence + 1 : end]
+    return [*tokens[verb:again], *about, *faces, *tokens[begin:whence], *tokens[again + 1 :]]
