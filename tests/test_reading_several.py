@@ -309,6 +309,31 @@ def test_each_end_of_a_table_is_no_end_of_the_room(prompt: str, long: int, short
     assert brief.unknown == ()
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A room with four rows of desks, five desks per row.",
+        "A room with four rows of desks, five in each row.",
+        "A room with four rows of desks with five desks in each row.",
+        "A room with desks in four rows, five desks per row.",
+    ],
+)
+def test_rows_are_counted_by_what_each_has(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief) == {"desk": 20}
+    assert brief.unknown == ()
+
+
+def test_rows_of_seats_are_all_the_seats() -> None:
+    brief = read_brief("A cinema with 5 rows of seats, 8 seats in each row")
+    assert {r.category: r.count for r in brief.requests if "chair" in r.category} == {"armchair": 40}
+
+
+def test_visitors_sit_before_the_desk_and_not_before_a_chair() -> None:
+    brief = read_brief("An office chair is behind the desk and two visitor chairs are in front of it.")
+    assert ("in_front_of", "visitor_chair", ("executive_desk",)) in _ties(brief)
+
+
 def test_what_heads_a_list_is_a_thing_though_nobody_knows_it() -> None:
     assert _counts(read_brief("a gizmo unit, a sofa and a lamp")) == {"gizmo_unit": 1, "sofa": 1, "floor_lamp": 1}
 

@@ -459,6 +459,8 @@ def _have_places(draft: Draft, category: str) -> bool:
     said = sum(t.count or (_ENOUGH_SEATS if t.rows else 1) for t in loungers)
     if load_habits().is_in(category, "lounges") and said >= _ENOUGH_SEATS:
         return True
+    if load_habits().is_in(category, "chairs") and any(t.rows for t in loungers):
+        return True
     if load_habits().is_in(category, "meal_tables") and _has(draft, "sat_in"):
         return True
     named = any(

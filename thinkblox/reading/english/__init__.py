@@ -12,6 +12,7 @@ from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
+from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_counts, with_nouns
@@ -78,6 +79,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_noughts,
+        with_counted_rows,
         with_booths,
         with_laid,
         with_doings,

@@ -1,0 +1,53 @@
+"""Rows of which is told afterwards how many each has: "four rows of desks, five desks per row"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_A_ROW = -1
+"""How many rows "per row" and "in each row" name."""
+_PER = ("per", "in", "to", "on")
+
+
+def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which what stands in rows is counted: twenty desks in four rows."""
+    found: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        chunk = chunks[at]
+        told = _told_after(chunks, at) if isinstance(chunk, Noun) and chunk.rows > 0 and chunk.count is None else None
+        if told is not None and isinstance(chunk, Noun):
+            each, end, length = told
+            before = found[-2] if len(found) > 1 and is_link(found[-1], "prepositions", "in") else None
+            if chunk.kind == "number" and isinstance(before, Noun) and before.count is None:
+                found[-2] = replace(before, count=chunk.rows * each)
+                chunk = replace(chunk, end=end)
+            elif chunk.kind == "thing":
+                chunk = replace(chunk, count=chunk.rows * each, end=end)
+            at += length if chunk.end == end else 0
+        found.append(chunk)
+        at += 1
+    return found
+
+
+def _told_after(chunks: Sequence[Chunk], at: int) -> tuple[int, int, int] | None:
+    """How many each row has, where that ends [token], and how many chunks say it; None where nothing does."""
+    rows, rest = chunks[at], chunks[at + 1 : at + 5]
+    parted = bool(rest) and (
+        is_link(rest[0], "mark", "comma", "colon", "dash") or is_link(rest[0], "prepositions", "with")
+    )
+    said = rest[int(parted) :][:3]
+    if len(said) < 3 or not isinstance(rows, Noun):
+        return None
+    number, link, row = said
+    if not (isinstance(number, Noun) and isinstance(row, Noun) and is_link(link, "prepositions", *_PER)):
+        return None
+    alike = number.kind == "number" or (number.kind == "thing" and rows.kind in ("number", number.kind))
+    alike &= rows.kind == "number" or number.kind == "number" or number.value == rows.value
+    plain = not (number.attributes or number.unshown or number.size or number.rows)
+    each = isinstance(link, Connector) and (link.value == "per" or row.det in ("each", "every", "a"))
+    if row.rows != _A_ROW or not (alike and plain and each and number.count):
+        return None
+    return number.count, row.end, len(said) + int(parted)
