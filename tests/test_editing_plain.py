@@ -346,7 +346,7 @@ def test_what_stands_at_a_wall_comes_closer_along_it() -> None:
 
 def test_the_desk_without_one_is_that_which_has_none() -> None:
     before = built(
-        room(), ("desk_1", 1.0, 1.5, 0.0, "floor"), ("chair_1", 1.6, 1.5, 180.0, "floor"),
+        room(), ("desk_1", 2.5, 2.0, 0.0, "floor"), ("chair_1", 3.1, 2.0, 180.0, "floor"),
         ("desk_2", 4.0, 3.5, 0.0, "floor"),
     )  # fmt: skip
     after = done(before, "Put a chair at the desk without one").scene

@@ -574,7 +574,8 @@ class OnSide(Untied):
         """How far its middle is from the wall, which is less than that of the room is."""
         wall = after.room.wall(self.wall)
         away = wall.coordinates(after[id].position[:2])[1]
-        half = wall.coordinates(after.room.polygon.centroid.coords[0])[1]
+        x, y = after.room.polygon.centroid.coords[0]
+        _, half = wall.coordinates((x, y))
         return away < half, f"{id} {away:.2f} m from {self.wall}, the middle of the room {half:.2f} m"
 
 

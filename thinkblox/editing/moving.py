@@ -681,7 +681,8 @@ def _half_poses(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
     middle = wall.point(wall.length / 2, 0.0)
     asset, before = work.asset_of(id), work.scene[id]
-    half = wall.coordinates(work.scene.room.polygon.centroid.coords[0])[1]
+    x, y = work.scene.room.polygon.centroid.coords[0]
+    _, half = wall.coordinates((x, y))
     poses = chain(
         along_walls(empty, asset, middle, math.inf) if at_wall(work.scene, id) else (),
         whole_floor(empty, asset, structs.replace(before, position=(*middle, before.position[2]))),
