@@ -351,3 +351,10 @@ def test_the_desk_without_one_is_that_which_has_none() -> None:
     )  # fmt: skip
     after = done(before, "Put a chair at the desk without one").scene
     assert measure(after, "at", "chair_2", ("desk_2",)).holds
+
+
+def test_a_row_of_seats_at_a_wall_grows_at_its_ends() -> None:
+    before = built(room(), *((f"chair_{n + 1}", 2.2 + 0.5 * n, 4.7, 270.0, "floor") for n in range(3)))
+    after = done(before, "Add two more chairs to the row along the wall").scene
+    assert sorted(p.category for p in after.placements) == ["chair"] * 5
+    assert len({round(p.position[1], 2) for p in after.placements}) == 1

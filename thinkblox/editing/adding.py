@@ -13,10 +13,11 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import bears_nothing, centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Apart, At, Goal, Laid, Related, Spot, Unhidden
+from thinkblox.editing.goals import Abreast, Apart, At, Goal, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
+from thinkblox.editing.rows import rows_of
 from thinkblox.editing.spots import Pose, between, likely, spots
 from thinkblox.editing.telling import anchored, named
 from thinkblox.editing.wheres import Bound, corner_told, slots_for, spot_of, told_by
@@ -86,8 +87,8 @@ def _fix_it(finder: Finder, order: Order) -> None:
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
     noun = phrase.noun
-    if is_row(noun):
-        return add_rows(work, finder, order, phrase, places)
+    if (in_rows := _add_in_rows(work, finder, order, phrase, places)) is not None:
+        return in_rows
     _check(noun)
     if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
         raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")
@@ -136,6 +137,54 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _add_in_rows(
+    work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
+) -> list[str] | None:
+    """Add another row, or more to one that is there; None where it is neither."""
+    if is_row(phrase.noun):
+        return add_rows(work, finder, order, phrase, places)
+    line = _line_said(work, finder, phrase.noun, places)
+    if not line or order.facing or order.closer or order.apart:
+        return None
+    return _add_to_line(work, phrase.noun, line)
+
+
+def _line_said(work: Work, finder: Finder, noun: Noun, places: Sequence[Where]) -> list[str]:
+    """Those of its kind that stand beside each other at a wall, which "to the row (along the wall)" names."""
+    row = next((w.noun for w in places if w.noun is not None and w.noun.kind == "thing" and w.noun.rows == -1), None)
+    if row is None or row.value != noun.value or row.text.lower().split()[-1] != "row":
+        return []
+    found = finder.matching(replace(row, rows=0, plural=True, count=None))
+    walls = [[w.name for w in work.scene.room.walls if measure(work.scene, "against_wall", p.id, (w.name,)).holds]
+             for p in found]  # fmt: skip
+    first = next((names[0] for names in walls if names), "")
+    kept = [p for p, names in zip(found, walls, strict=True) if first and first in names]
+    if len(kept) < 2 or len(rows_of(work.scene, kept)) != 1:
+        return []
+    way = kept[0].left
+    return [p.id for p in sorted(kept, key=lambda p: p.position[0] * way[0] + p.position[1] * way[1])]
+
+
+def _add_to_line(work: Work, noun: Noun, line: list[str]) -> list[str]:
+    """Add so many more at either end of those that stand beside each other at a wall."""
+    added: list[str] = []
+    count = noun.count or (2 if noun.plural else 1)
+    for _ in range(min(count, MOST)):
+        saved, said = work.saved(), len(work.failed)
+        for end in (0, -1):
+            goals: list[Goal] = [Abreast("next_to", (line[end],)), Related("against_wall", ("wall",))]
+            if id := add_one(work, work.scene[line[end]].category, noun, goals):
+                del work.failed[said:]
+                line.insert(0 if end == 0 else len(line), id)
+                added.append(id)
+                break
+            work.restore(saved)
+        else:
+            del work.failed[said + 1 :]
+            break
+    return added
 
 
 def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
