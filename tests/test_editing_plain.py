@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.edited_rooms import SOURCE, bedroom, built, dining, living, room, same_but
+from tests.edited_rooms import OPENINGS, SOURCE, bedroom, built, dining, living, room, same_but
 from tests.test_editing_guard import done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
@@ -13,6 +13,7 @@ from thinkblox.errors import InputError
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import BACK_GAP
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.support import placed_at
 
 
@@ -358,3 +359,14 @@ def test_a_row_of_seats_at_a_wall_grows_at_its_ends() -> None:
     after = done(before, "Add two more chairs to the row along the wall").scene
     assert sorted(p.category for p in after.placements) == ["chair"] * 5
     assert len({round(p.position[1], 2) for p in after.placements}) == 1
+
+
+def test_several_things_face_one_window() -> None:
+    second = Opening(id="window_2", kind="window", wall=3, offset=1.5, width=1.6, height=1.2, sill=0.9)
+    before = built(
+        rectangle(6.0, 5.0, openings=(*OPENINGS, second)),
+        ("armchair_1", 1.5, 1.6, 0.0, "floor"), ("armchair_2", 2.8, 3.4, 0.0, "floor"),
+    )  # fmt: skip
+    after = done(before, "Turn both armchairs so that they face the window").scene
+    ids, windows = ("armchair_1", "armchair_2"), ("window_1", "window_2")
+    assert any(all(measure(after, "facing", id, (window,)).holds for id in ids) for window in windows)

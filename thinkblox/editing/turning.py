@@ -51,6 +51,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
     order = _with_seats(gathered(work, finder, order))
     aimed = _is_aimed(order)
     for ids, places in _turned(work, finder, order):
+        order = _to_one_opening(work, order, ids)
         ids = tuple(id for id in ids if not (order.company and facts_of(work.scene[id].category).is_in("seating")))
         for id in (i for i in ids if i not in seen):
             seen.add(id)
@@ -78,6 +79,26 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _to_one_opening(work: Work, order: Order, ids: Sequence[str]) -> Order:
+    """The order, where several things that face "the window" all face the one that is nearest to all of them."""
+    kinds = ("window", "door")
+    if len(ids) < 2 or not any(
+        noun.kind == "place" and noun.value in kinds and not noun.degree for noun in order.facing
+    ):
+        return order
+    here = [work.scene[id].position[:2] for id in ids]
+
+    def one(noun: Noun) -> Noun:
+        found = [o.id for o in work.scene.room.openings if o.kind == noun.value]
+        if noun.kind != "place" or len(found) < 2 or noun.each or noun.plural:
+            return noun
+        marks = {id: things(work.scene, id)[0].centre for id in found}
+        nearest = min(found, key=lambda id: sum(math.dist(marks[id], spot) for spot in here))
+        return dataclasses.replace(noun, value=nearest)
+
+    return dataclasses.replace(order, facing=[one(noun) for noun in order.facing])
 
 
 def _with_room(work: Work, finder: Finder, order: Order, id: str) -> None:
