@@ -48,6 +48,7 @@ class Clauses(Audit):
                 case SaidSurface():
                     self.draft.surfaces.append(chunk.request)
         self._begin()
+        self._settle_ends()
         self._drop_groups()
         self._audit()
         self.draft.account = self.account.words()
