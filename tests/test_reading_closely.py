@@ -112,6 +112,27 @@ def ties(brief: Brief) -> Ties:
         ("A charging dock against the wall.", {"charging_dock": 1}, {("against_wall", "charging_dock", ("wall",))}),
         ("A desk with stacks of old books all over the place.", {"book": 6}, set()),
         ("A bathtub with a wooden tray across it.", {"tray": 1}, {("on", "tray", ("bathtub",))}),
+        (
+            "A table for four. At every seat a plate, a fork and a glass. A sofa by the wall.",
+            {"plate": 4, "fork": 4, "sofa": 1},
+            {("on", "plate", ("dining_table",)), ("on", "glass", ("dining_table",))},
+        ),
+        (
+            "Two sofas, one against the left wall, one against the right wall, both facing the fire, a rug in between.",
+            {"sofa": 2},
+            {("between", "rug", ("sofa", "sofa-2"))},
+        ),
+        (
+            "Four bookcases, two along the left wall and two along the right wall, and two reading tables in between.",
+            {"bookcase": 4},
+            {("between", "dining_table", ("bookcase", "bookcase-2"))},
+        ),
+        (
+            "A bookshelf to the left of the window and a desk to the right of it.",
+            {"desk": 1},
+            {("left_of", "bookcase", ("window",)), ("right_of", "desk", ("window",))},
+        ),
+        ("A desk with a lamp, three drawers and a chair.", {"desk": 1, "dresser": 0}, {("at", "chair", ("desk",))}),
         ("Bar: six bar stools line the wall. Hmm, four is enough.", {"bar_stool": 4}, set()),
         ("A counter with menus on it.", {"menu": 3}, {("on", "menu", ("counter",))}),
         ("A sofa by the fire.", {"fireplace": 1}, {("next_to", "sofa", ("fireplace",))}),
@@ -199,6 +220,13 @@ def test_a_stool_that_stands_before_a_bench_is_its_seat() -> None:
 def test_what_is_not_to_be_there_is_not_there_and_why_asks_for_nothing(prompt: str) -> None:
     brief = read_brief(prompt)
     assert (brief.excluded, brief.unknown, counted(brief)) == (("rug",), (), {"bed": 1})
+
+
+def test_how_far_off_something_is_is_no_size() -> None:
+    brief = read_brief("A table saw is in the middle and a bandsaw is 1 m to its left.")
+    assert brief.unknown == ("1 m",)
+    assert brief.request("bandsaw").size == (None, None, None)
+    assert read_brief("A table 2 m long to the left of the sofa.").request("side_table").size[1] == 2.0
 
 
 def test_an_age_counts_no_rooms() -> None:

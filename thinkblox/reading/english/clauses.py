@@ -288,6 +288,8 @@ class Clauses(Audit):
         if noun.fraction[1]:
             self._lose(noun.start, noun.end)
             return
+        if self._is_listed_feature(noun):
+            return
         self.barred = None
         if self.pending is None and self._is_verb_of_before():
             self.subject = self.frontier[0]

@@ -28,6 +28,8 @@ _SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind")
 _COLOURS = {"colour", "color"}
 """What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
+_AT_SEATS = ("at", "in_front_of", "for", "per", "on")
+"""Prepositions before the places at a table."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has two ends at which things lie."""
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
@@ -195,7 +197,7 @@ class Positions(Subjects):
             return
         self._reword(where)
         where.paired = self._is_joined_before(self._began)
-        if self._is_side_of_wall(where) or self._is_side_of_top(where):
+        if self._is_side_of_wall(where) or self._is_side_of_top(where) or self._lays_places(where):
             return
         if where.word == "turned":
             self._turned_to(where)
@@ -236,6 +238,21 @@ class Positions(Subjects):
             return False
         self._go_past(noun)
         self._lose(where.start, noun.end)
+        return True
+
+    def _lays_places(self, where: Where) -> bool:
+        """Read "a table for four, at every seat a plate", where no seats are named, as so many plates on the table."""
+        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
+        place = noun is not None and noun.each and noun.word in grammar().lists["seats"] and where.word in _AT_SEATS
+        begins = not self.frontier or bool(self.separator)
+        if not place or noun is None or table is None or self._seats() or not begins:
+            return False
+        self._spend(noun)
+        self._begin()
+        self.clause = Listed(None, "list", times=table.seats, each=True)
+        self.front = [Awaited(Where("on", None), Meaning("on", (table,), told=True))]
+        self.at += self._is_link(self.peek(), "mark", "comma", "colon")
+        self.laid = True
         return True
 
     def _is_side_of_top(self, where: Where) -> bool:
