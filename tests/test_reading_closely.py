@@ -73,7 +73,7 @@ def ties(brief: Brief) -> Ties:
             {("in_front_of", "bar_stool", ("kitchen_island",)), ("behind", "bar_stool-2", ("kitchen_island",))},
         ),
         (
-            "A sofa facing the fireplace. Actually no, let it face the window, and put a chair facing the fire instead.",
+            "A sofa facing the fireplace. Actually no, let it face the window and put a chair facing the fire instead.",
             {"sofa": 1, "chair": 1},
             {("facing", "sofa", ("window",)), ("facing", "chair", ("fireplace",))},
         ),
@@ -87,6 +87,52 @@ def ties(brief: Brief) -> Ties:
             {"bistro_table": 1, "chair": 2},
             {("near", "bistro_table", ("window",)), ("around", "chair", ("bistro_table",))},
         ),
+        (
+            "A desk with a lamp on the left and a phone on the right.",
+            {"desk_lamp": 1, "phone": 1},
+            {("on", "desk_lamp", ("desk",)), ("on", "phone", ("desk",)), ("right_of", "phone", ("desk_lamp",))},
+        ),
+        (
+            "On the workbench are a vise at the left end and a drill at the right end.",
+            {"vise": 1, "power_drill": 1},
+            {("on", "vise", ("workbench",)), ("right_of", "power_drill", ("vise",))},
+        ),
+        (
+            "Buckets of roses, tulips and sunflowers, one each, stand against the window.",
+            {"flower_bucket": 3},
+            {("next_to", "flower_bucket-2", ("window",)), ("next_to", "flower_bucket-3", ("window",))},
+        ),
+        (
+            "Twenty desks, a chair at each. The teacher's desk faces the door; the chair of the teacher is behind it.",
+            {"chair": 21},
+            {("behind", "chair-2", ("executive_desk",))},
+        ),
+        ("An artist's desk with a palette and a brush.", {"paint_palette": 1}, {("on", "paint_palette", ("desk",))}),
+        ("A sofa and two chairs around a low table so people talk to each other.", {"sofa": 1, "chair": 2}, set()),
+        ("A charging dock against the wall.", {"charging_dock": 1}, {("against_wall", "charging_dock", ("wall",))}),
+        ("A desk with stacks of old books all over the place.", {"book": 6}, set()),
+        ("A bathtub with a wooden tray across it.", {"tray": 1}, {("on", "tray", ("bathtub",))}),
+        (
+            "A table for four. At every seat a plate, a fork and a glass. A sofa by the wall.",
+            {"plate": 4, "fork": 4, "sofa": 1},
+            {("on", "plate", ("dining_table",)), ("on", "glass", ("dining_table",))},
+        ),
+        (
+            "Two sofas, one against the left wall, one against the right wall, both facing the fire, a rug in between.",
+            {"sofa": 2},
+            {("between", "rug", ("sofa", "sofa-2"))},
+        ),
+        (
+            "Four bookcases, two along the left wall and two along the right wall, and two reading tables in between.",
+            {"bookcase": 4},
+            {("between", "dining_table", ("bookcase", "bookcase-2"))},
+        ),
+        (
+            "A bookshelf to the left of the window and a desk to the right of it.",
+            {"desk": 1},
+            {("left_of", "bookcase", ("window",)), ("right_of", "desk", ("window",))},
+        ),
+        ("A desk with a lamp, three drawers and a chair.", {"desk": 1, "dresser": 0}, {("at", "chair", ("desk",))}),
         ("Bar: six bar stools line the wall. Hmm, four is enough.", {"bar_stool": 4}, set()),
         ("A counter with menus on it.", {"menu": 3}, {("on", "menu", ("counter",))}),
         ("A sofa by the fire.", {"fireplace": 1}, {("next_to", "sofa", ("fireplace",))}),
@@ -161,6 +207,26 @@ def test_a_stool_that_stands_before_a_bench_is_its_seat() -> None:
         "Chemistry lab: a lab bench against the wall with three beakers, a lab stool in front of the bench."
     )
     assert "stool" not in counted(brief)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom with a bed. No rug, it stops the wheels.",
+        "A bedroom with a bed, without a rug, as it slips.",
+        "A bedroom with a bed. Anything on the floor is fine except rugs.",
+    ],
+)
+def test_what_is_not_to_be_there_is_not_there_and_why_asks_for_nothing(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert (brief.excluded, brief.unknown, counted(brief)) == (("rug",), (), {"bed": 1})
+
+
+def test_how_far_off_something_is_is_no_size() -> None:
+    brief = read_brief("A table saw is in the middle and a bandsaw is 1 m to its left.")
+    assert brief.unknown == ("1 m",)
+    assert brief.request("bandsaw").size == (None, None, None)
+    assert read_brief("A table 2 m long to the left of the sofa.").request("side_table").size[1] == 2.0
 
 
 def test_an_age_counts_no_rooms() -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.asides import with_asides
+from thinkblox.reading.english.assortments import with_assortments
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
@@ -22,6 +23,7 @@ from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
@@ -80,6 +82,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     for rewritten in (
         with_noughts,
         with_counted_rows,
+        with_reasons,
+        with_assortments,
         with_booths,
         with_laid,
         with_doings,

@@ -48,6 +48,7 @@ class Clauses(Audit):
                 case SaidSurface():
                     self.draft.surfaces.append(chunk.request)
         self._begin()
+        self._settle_ends()
         self._drop_groups()
         self._audit()
         self.draft.account = self.account.words()
@@ -286,6 +287,8 @@ class Clauses(Audit):
         """Ask for a thing that was not named before; a share of nothing is not understood."""
         if noun.fraction[1]:
             self._lose(noun.start, noun.end)
+            return
+        if self._is_listed_feature(noun):
             return
         self.barred = None
         if self.pending is None and self._is_verb_of_before():

@@ -220,6 +220,17 @@ class Having(Groups):
                 return
             noun = more
 
+    def _is_listed_feature(self, noun: Noun) -> bool:
+        """Take the drawers of "a vanity with a mirror, two sinks and three drawers" for its own."""
+        frame = self.frontier[-1].frame if self.frontier and self.separator else None
+        head = frame.head.thing if frame is not None and frame.kind == "with" and frame.head is not None else None
+        if head is None or self.pending is not None or noun.definite or self._is_link(self.peek(), "prepositions"):
+            return False
+        if not self._is_feature(noun, head) or not (noun.count or noun.plural):
+            return False
+        self._feature(head, noun)
+        return True
+
     def _feature(self, thing: Mention, noun: Noun) -> None:
         """Note a part that a thing is to have: drawers and doors can be made in any number."""
         self._spend(noun)

@@ -162,6 +162,9 @@ class Heads(Modifiers):
                 noun.kind, noun.value = "people", "people"
                 noun.count = noun.count or grammar().people(words) or None
                 return True
+            if "abstract" in found and self._is_thing_alone(noun, words):
+                noun.kind, noun.value = "thing", f"paint_{words[0]}"
+                return True
             if "abstract" in found and not (noun.count and _SMALL & set(noun.attributes)):
                 noun.kind, noun.value = "abstract", " ".join(words)
                 return True
@@ -172,6 +175,11 @@ class Heads(Modifiers):
             noun.kind, noun.value = "abstract", " ".join(words)
             return True
         return False
+
+    def _is_thing_alone(self, noun: Noun, words: list[str]) -> bool:
+        """Whether it is a painter's palette, rather than the colours of a room: nothing is said of it."""
+        said = noun.attributes or noun.unshown or noun.styles or self._text(noun.end, noun.end + 1).lower() == "of"
+        return words == ["palette"] and noun.det in ("a", "each") and not said
 
     def _trails(self, noun: Noun, word: str) -> bool:
         """Whether the last word of a name only goes on about the first: "sunlight streaming", not "a safety pole"."""

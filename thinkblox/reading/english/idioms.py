@@ -12,6 +12,7 @@ _ENDS = ("back", "front", "rear", "far")
 
 _CORRECTING = ("hmm", "hm", "no", "actually", "well", "maybe", "perhaps", "but", "though")
 """What may come before a number that is put right."""
+_ANYWHERE = ["all", "over", "the", "place"]
 _AGAIN = ("and", "&", "upon")
 """What joins a noun to itself: "crates and crates"."""
 _BY = ("x", "by", "and")
@@ -40,7 +41,17 @@ _LONGEST = 6
 
 def plainly(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with the plain words for each turn of phrase; what was written stays what they show."""
-    return _rows(_hyphened(list(_plain(list(_corrected(tokens))))))
+    return _rows(_hyphened(list(_plain(list(_corrected([*_everywhere(tokens)]))))))
+
+
+def _everywhere(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Read "all over the place" as "everywhere"."""
+    at = 0
+    while at < len(tokens):
+        idiom = [token.text for token in tokens[at : at + len(_ANYWHERE)]] == _ANYWHERE
+        shown = " ".join(token.shown for token in tokens[at : at + len(_ANYWHERE)])
+        yield replace(tokens[at], text="everywhere", shown=shown) if idiom else tokens[at]
+        at += len(_ANYWHERE) if idiom else 1
 
 
 def _corrected(tokens: Sequence[Token]) -> Iterator[Token]:

@@ -9,6 +9,8 @@ from thinkblox.reading.english.grammar import grammar
 _OVER = ("over", "across", "all over", "all across", "throughout")
 _ABOUT = (*_OVER, "about", "around", "all around")
 """How far what is spread reaches over a thing, and about a room."""
+_TRAYS = ("tray", "caddy", "board", "plank")
+"""What lies with both ends on something."""
 _PARTS = ("arm", "armrest", "back", "edge", "side", "rim", "end", "foot", "corner", "top")
 """Parts of furniture that something hangs over."""
 
@@ -33,7 +35,7 @@ def _laid(before: list[Chunk], link: Connector, where: Noun, after: list[Chunk])
         return [on, replace(where, kind="place", value="floor"), *after]
     if text not in _OVER or (where.kind == "place" and where.value != "floor"):
         return [link, where, *after]
-    if not spread and not (text == "over" and _is_soft(before)):
+    if not spread and not (text == "over" and _is_soft(before)) and not (text == "across" and _is_tray(before)):
         return [link, where, *after]
     if where.word not in _PARTS:
         return [on, where, *after]
@@ -47,6 +49,12 @@ def _is_laid(chunk: Chunk) -> bool:
     if not isinstance(chunk, Connector) or chunk.sort not in ("participles", "verbs"):
         return False
     return not grammar().lists["laid"].isdisjoint(chunk.text.lower().split())
+
+
+def _is_tray(before: list[Chunk]) -> bool:
+    """Whether it lies with its ends on what it reaches across: "a bath tray across the tub"."""
+    said = before[-1]
+    return isinstance(said, Noun) and said.kind == "thing" and said.word in _TRAYS
 
 
 def _is_soft(before: list[Chunk]) -> bool:

@@ -245,8 +245,15 @@ class Descriptions(Rooms):
             self._stand_off(following, measured.size)
             return True
         apart = following.text.lower() in ("apart", "away", "off")
-        off = apart or (not told and self._is_link(following, "prepositions", *_OFFSETS))
-        if not off or len(measured.size.lengths) != 1 or measured.size.area is not None:
+        side = self._next_noun(1) if self._is_link(following, "prepositions", "to", "on") else None
+        beside = side is not None and side.kind == "part"
+        off = apart or beside or (not told and self._is_link(following, "prepositions", *_OFFSETS))
+        if (
+            not off
+            or any(length.axis for length in measured.size.lengths)
+            or len(measured.size.lengths) != 1
+            or measured.size.area is not None
+        ):
             return False
         self._lose(measured.start, measured.end)
         return True

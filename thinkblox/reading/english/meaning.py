@@ -62,6 +62,7 @@ class Meanings:
         self.anchor: tuple[str, Mention] | None = None
         self.sided: tuple[str, Mention] | None = None
         self.ended: Mention | None = None
+        self.beside = ("", "")
         self.room_side = ""
         self._sides_told = 0
         self.guessed = False
@@ -71,7 +72,7 @@ class Meanings:
         self._sides_told = self._sides_told + 1 if self.sided is not None else 0
         if self._sides_told > 1:
             self.sided, self._sides_told = None, 0
-        self.ended, self.room_side = None, ""
+        self.ended, self.beside, self.room_side = None, ("", ""), ""
 
     def is_other_end(self, part: Noun) -> bool:
         """Whether it is the other end of what the sentence told of one end of."""
@@ -271,7 +272,10 @@ class Meanings:
         last = likely[0] if likely else None
         things = self.referents.draft.things
         before = things[things.index(last) - 1] if last in things[1:] else None
-        if last is None or before is None or not before.asked or (last.many and (last.count or _SEVERAL) < _SEVERAL):
+        few = last is not None and last.many and (last.count or _SEVERAL) < _SEVERAL
+        if last is None or before is None or not before.asked:
+            return ()
+        if few and before not in self.referents.family(last):
             return ()
         where, across = self.referents.draft.bonds_of(last), self.referents.draft.bonds_of(before)
         walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
@@ -448,9 +452,27 @@ class Meanings:
         """What the part is a part of: a thing, or else the room."""
         if where.whole is not None:
             return self._told_whole(where.whole, said, subjects, likely, noun)
+        if said.det == "my" and {self.beside[0], said.value} == {"left", "right"}:
+            return Meaning(f"{said.value}_of", (self.beside[1],), told=True)
+        return self._untold_whole(where, said, subjects, likely, noun)
+
+    def _only_table(self, said: Noun, subjects: list[Mention]) -> Mention | None:
+        """The one table that was named, of which seats are "at each end"."""
+        habits = load_habits()
+        tables = [t for t in self.referents.draft.things if habits.is_in(t.noun, "tables")]
+        seated = bool(subjects) and habits.is_in(subjects[-1].noun, "seats", "chairs")
+        ends = said.value == "end" and said.det in ("each", "either", "both")
+        return tables[0] if seated and ends and len(tables) == 1 else None
+
+    def _untold_whole(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """What a part is of where that is not said: of what has it, of what was spoken of, or of the room."""
         if said.owner:
             found = self.referents.named(Noun("thing", said.owner, 0, 0, said.owner))
             return Meaning("on", (found,), told=True) if found else None
+        if (table := self._only_table(said, subjects)) is not None and not likely:
+            return Meaning("on", (table,), told=True)
         theirs = said.det == "my" and "their" in said.text.lower()
         if theirs and self.sided is not None and self.sided[1].many and self.sided[1] not in subjects:
             return Meaning("on", (self.sided[1],), told=True)
@@ -494,6 +516,7 @@ class Meanings:
         if whole.rows or whole.word == "row":
             return None
         if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
+            self.sided, self.beside = None, (said.value, whole.value)
             return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))

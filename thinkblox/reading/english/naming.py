@@ -125,7 +125,8 @@ class Naming(Several):
         first = self.referents.named(noun)
         if first is None:
             return []
-        if first.many and not noun.plural and self._is_of_somebody(noun):
+        several = first.many or self.referents.total(first) > 1
+        if several and not noun.plural and self._is_of_somebody(noun):
             return []
         if noun.plural and noun.definite:
             every = self.referents.every(noun)

@@ -28,6 +28,10 @@ _SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind")
 _COLOURS = {"colour", "color"}
 """What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
+_AT_SEATS = ("at", "in_front_of", "for", "per", "on")
+"""Prepositions before the places at a table."""
+_TOPS = ("tables", "desks", "counters", "worktops")
+"""What has two ends at which things lie."""
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
 
@@ -193,7 +197,7 @@ class Positions(Subjects):
             return
         self._reword(where)
         where.paired = self._is_joined_before(self._began)
-        if self._is_side_of_wall(where):
+        if self._is_side_of_wall(where) or self._is_side_of_top(where) or self._lays_places(where):
             return
         if where.word == "turned":
             self._turned_to(where)
@@ -235,6 +239,54 @@ class Positions(Subjects):
         self._go_past(noun)
         self._lose(where.start, noun.end)
         return True
+
+    def _lays_places(self, where: Where) -> bool:
+        """Read "a table for four, at every seat a plate", where no seats are named, as so many plates on the table."""
+        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
+        place = noun is not None and noun.each and noun.word in grammar().lists["seats"] and where.word in _AT_SEATS
+        begins = not self.frontier or bool(self.separator)
+        if not place or noun is None or table is None or self._seats() or not begins:
+            return False
+        self._spend(noun)
+        self._begin()
+        self.clause = Listed(None, "list", times=table.seats, each=True)
+        self.front = [Awaited(Where("on", None), Meaning("on", (table,), told=True))]
+        self.at += self._is_link(self.peek(), "mark", "comma", "colon")
+        self.laid = True
+        return True
+
+    def _is_side_of_top(self, where: Where) -> bool:
+        """Keep in mind at which end of a desk something lies: "a lamp on the left and a phone on the right"."""
+        part = where.noun
+        side = (
+            part is not None and part.kind == "part" and part.value in ("left", "right") and where.word in ("on", "at")
+        )
+        node = self._subject_of(where) if side and part is not None and part.det == "the" and not part.owner else None
+        thing = node.thing if node is not None and len(node.things) == 1 else None
+        if thing is None or part is None or thing.many or where.negated or self._is_fronted():
+            return False
+        carried = [a for b in self.draft.bonds_of(thing) if b.kind == "on" for a in b.anchors]
+        fronted = [a for f in self.front if f.kind == "on" for a in f.anchors if is_small(thing)]
+        carrier = next(iter((*carried, *fronted)), None)
+        told = self.referents.named(where.whole) if where.whole is not None else carrier
+        if not isinstance(carrier, Mention) or told is not carrier or not self.habits.is_in(carrier.noun, *_TOPS):
+            return False
+        if not carried:
+            bind(self.draft, Bond("on", thing, (carrier,)))
+        self.at_ends.append((thing, carrier, where))
+        self.laid = True
+        return True
+
+    def _settle_ends(self) -> None:
+        """Let what lies at the right end be to the right of what lies at the left one; one alone is not understood."""
+        for thing, carrier, where in self.at_ends:
+            part = where.noun.value if where.noun is not None else ""
+            across = [t for t, c, w in self.at_ends if c is carrier and w.noun is not None and w.noun.value != part]
+            kept = len(across) == 1 and {thing, *across} <= set(self.draft.things)
+            if kept and part == "right":
+                bind(self.draft, Bond("right_of", thing, (across[0],)))
+            elif not kept:
+                self._lose_where(where)
 
     def _is_side_of_wall(self, where: Where) -> bool:
         """Take "on the wall to the right" for the right wall."""

@@ -221,6 +221,9 @@ class Prepositions(Negation):
 
     def _except_next(self, link: Connector) -> None:
         noun = self._next_noun()
+        if self._is_anything_else(noun):
+            self.front, self.frontier, self.excluding = [], [], True
+            return
         told = noun is not None and noun.kind in ("number", "pronoun") and self._is_link(self.peek(1), "prepositions")
         known = noun is not None and noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
         if known and noun is not None:
@@ -232,6 +235,12 @@ class Prepositions(Negation):
                 self._lose_rest(self.chunks[self.at].start, self.chunks[self.at].end)
         elif not self._excepted_of_subject(noun) and not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
+
+    def _is_anything_else(self, noun: Noun | None) -> bool:
+        """Whether what comes is all that is not to be there: "anything on the walls is fine except mirrors"."""
+        said = (chunk for chunk in self.chunks[self._clause_start() : self.at] if isinstance(chunk, Noun))
+        anything = any(chunk.text.lower() in ("anything", "everything", "whatever") for chunk in said)
+        return anything and noun is not None and noun.kind == "thing" and not noun.definite
 
     def _excepted_of_subject(self, noun: Noun | None) -> bool:
         """Take "every bench has a scale except the last one" for so many of the benches, of which that is not so."""

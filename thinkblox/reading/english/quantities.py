@@ -8,6 +8,8 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
 
 _OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
+_PILES = 2
+"""So many stacks are several, where nobody says how many."""
 _STACKS = ("stack", "pile", "heap")
 """Measures that say how the things lie, besides how many they are."""
 _OF_MATTER = ("sheet", "ball", "cube", "lump", "slice", "mountain")
@@ -244,7 +246,7 @@ class Quantities(Words):
         if found.value == "pile" and noun.vague and outer is None and self._bounds_follow(at + found.length):
             noun.count, noun.vague, noun.least = None, False, None
         if inner is not None and noun.vague and (found.value == "pile" or not (noun.rows or noun.groups)):
-            noun.count, noun.vague, noun.least = inner[0] * (outer or 1), False, None
+            noun.count, noun.vague, noun.least = inner[0] * (outer or noun.groups or 1), False, None
             return found.length + inner[1]
         if inner is not None and noun.rows + noun.groups > 0:
             noun.count = inner[0] * (noun.rows or noun.groups)
@@ -276,6 +278,7 @@ class Quantities(Words):
             noun.count = outer or (None if several else 1)
             noun.called = "" if word.rstrip("s") in _KINDS else f"{singular(word)} of"
         else:
+            outer = _PILES if outer is None and several and singular(word) in _STACKS else outer
             noun.count, noun.vague, noun.least = (outer or 1) * 3, True, 1
             if singular(word) in _STACKS:
                 noun.states.append("stacked")

@@ -202,13 +202,19 @@ class Referents:
                 (p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None
             )
             if pair and (kind == "between" or not thing.many):
-                return pair
+                return self._two_alike(pair, subject) if kind == "between" else pair
             if thing.many and not self._is_too_low(thing, subject, kind):
                 return (thing, *[p for p in self.parts.get(thing, ()) if p in self.draft.things])
         standing = [t for t in self._recent() if not is_small(t) and t not in subject]
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def _two_alike(self, pair: tuple[Mention, Mention], besides: Sequence[Mention]) -> tuple[Mention, ...]:
+        """The two sofas of "two sofas, one here and one there, both facing the fire, a rug between them"."""
+        families = (self.family(thing) for thing in pair)
+        two = (f for f in families if len(f) == len(pair) and not any(t.many or t in besides for t in f))
+        return tuple(next(two, pair))
 
     def _is_too_low(self, thing: Mention, subject: Sequence[Mention], kind: str) -> bool:
         """Whether it is small, and nothing stands so to it."""

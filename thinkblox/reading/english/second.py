@@ -175,6 +175,7 @@ class SecondOpinion:
         if place.to is None and place.link.value not in _ELIDING:
             return True
         told = [bond for bond in self._bonds(subjects) if not bond.implied]
+        told += [b for b in self._draft.bonds if b.kind == "right_of" and set(b.anchors) & set(subjects)]
         part = place.to if place.to is not None and place.to.kind == "part" else None
         ends = _is_at_wall(told) or any(bond.kind == "at_short_side" for bond in told)
         if part is not None and part.det == "other" and part.value == "end" and not ends:
@@ -264,6 +265,7 @@ class SecondOpinion:
     def _is_shared_front(self, place: SaidPosition, places: Sequence[SaidPosition], anchors: Sequence[Mention]) -> bool:
         """Whether what a position in front is about was taken for something that has another position."""
         later = [p for p in places if p.link.start > place.last and p.of and p.of[0] is not place.led]
+        later = [p for p in later if p.to is None or p.to.kind != "part" or p.to.value not in ("left", "right")]
         if any(set(self._things(p.anchor)) & set(anchors) for p in later):
             return False
         things = [t for p in later for t in self._things(p.of[0]) if self._first.get(t, -1) >= p.of[0].start]

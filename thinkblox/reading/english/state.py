@@ -61,6 +61,7 @@ class State(Namer):
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for; `antecedents` weighs what pronouns point back to by it.
         unsure: phrases for one thing that several were named by, and these.
+        at_ends: what was said to lie at the left or right end of what carries it.
         circles: things that were said to stand in a circle.
         numbers: how many of each member of a list were said.
         tables: things that serve as tables.
@@ -109,6 +110,7 @@ class State(Namer):
         self.excluded_by: dict[str, Noun] = {}
         self.laid = False
         self.spoken_of: Mention | None = None
+        self.at_ends: list[tuple[Mention, Mention, Where]] = []
         self.circles: list[tuple[Mention, Connector]] = []
         self.numbers: set[int] = set()
         self.tables: set[Mention] = set()

@@ -1,0 +1,47 @@
+"""Why something is not to be there, which asks for nothing: "no rug, it stops the wheels", "as it slips"."""
+
+from collections.abc import Sequence
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_SUBJECTS = ("it", "they", "that", "this")
+_GIVING = ("because", "since", "as")
+"""Words that begin a reason."""
+
+
+def with_reasons(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where a reason after what is not to be there is filler, up to the end of its clause."""
+    made = list(chunks)
+    for at, chunk in enumerate(chunks):
+        if isinstance(chunk, Noun) and _is_reason(chunks, at):
+            end = next((n for n in range(at, len(chunks)) if is_link(chunks[n], "mark")), len(chunks))
+            made[at:end] = [_filler(said) for said in chunks[at:end]]
+            made[at - 1] = _filler(chunks[at - 1]) if not is_link(chunks[at - 1], "mark") else made[at - 1]
+    return made
+
+
+def _is_reason(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a clause about what was denied begins at its subject, with a verb that nobody knows, or after "as"."""
+    subject, led = chunks[at], chunks[at - 1] if at else None
+    if not isinstance(subject, Noun) or subject.text.lower() not in _SUBJECTS or not isinstance(led, Connector):
+        return False
+    giving = led.text.lower() in _GIVING
+    verb = chunks[at + 1] if at + 1 < len(chunks) else None
+    unknown = isinstance(verb, Noun) and verb.kind == "thing" and not (verb.det or verb.named or verb.count)
+    if not (giving or (is_link(led, "mark", "comma") and unknown)):
+        return False
+    before = chunks[at - 2] if at > 1 else None
+    before = chunks[at - 3] if is_link(before, "mark", "comma") and at > len(("rug", ",")) else before
+    return isinstance(before, Noun) and before.kind == "thing" and _is_denied(chunks, before)
+
+
+def _is_denied(chunks: Sequence[Chunk], noun: Noun) -> bool:
+    """Whether a thing is not to be there."""
+    at = next(n for n, chunk in enumerate(chunks) if chunk is noun)
+    led = chunks[at - 1] if at else None
+    return noun.det == "no" or is_link(led, "prepositions", "without") or is_link(led, "negations", "exclude")
+
+
+def _filler(chunk: Chunk) -> Connector:
+    return Connector("fillers", "words", chunk.start, chunk.end, getattr(chunk, "text", ""))
