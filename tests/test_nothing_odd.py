@@ -754,3 +754,11 @@ def test_what_is_projected_is_before_the_middle_of_the_table():
     room = made("A meeting room for ten")
     (table,), (screen,) = placed(room, "conference_table"), placed(room, "projector_screen")
     assert min(abs(a - b) for a, b in zip(table.position[:2], screen.position[:2], strict=True)) < 0.3
+
+
+@pytest.mark.slow
+def test_a_wall_of_wardrobes_is_one_row():
+    room = made("A bedroom with a wall of wardrobes")
+    rows = [r for r in room.report.relations if r.kind == "in_rows"]
+    assert rows
+    assert all(r.holds for r in rows)

@@ -169,6 +169,7 @@ def test_beds_side_by_side_have_a_nightstand_between_them_and_nothing_at_the_foo
         ("A bedroom with a bed and a reading chair", {"rocking_chair"}),
         ("An office with a desk and three framed certificates", {"picture", "poster"}),
         ("A storage room with a bucket", {"mop_bucket"}),
+        ("A living room with a sofa and three plants", {"tree_small"}),
     ],
 )
 def test_who_names_a_thing_gets_no_other_that_is_called_alike(prompt, others):

@@ -74,7 +74,7 @@ class Varieties(Value, frozen=True, kw_only=True):
         sparse: words about rooms that are to hold little, separated by commas.
         filled: categories that come full of books, separated by commas.
         fewer: categories of which a room may have one less, separated by commas.
-        pictures: categories that hang on walls to be looked at, separated by commas.
+        alike: categories of which one stands for all, separated by commas.
         shows: categories that are of no use with nothing on them, separated by commas.
         rooms: choices by type of room.
     """
@@ -82,7 +82,7 @@ class Varieties(Value, frozen=True, kw_only=True):
     sparse: str
     filled: str
     fewer: str
-    pictures: str
+    alike: tuple[str, ...]
     shows: str
     rooms: dict[str, RoomChoices]
 

@@ -82,12 +82,15 @@ def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
 
 
 def _finished(brief: Brief, rng: np.random.Generator, fill: Fill) -> Brief:
-    """The brief with something on the walls and the floor, which takes no room from what is named."""
+    """The brief with something on the walls and the floor, and with more where few things leave much of it bare."""
     named = any(request.asked for request in brief.requests)
     if not named or _is_sparse(brief) or varieties().of(brief.room_type) is None:
         return brief
-    options = [option for option in _options(brief) if all(_is_finish(usual.category) for usual in option)]
-    return _with_some(brief, options, _FINISHES, (), rng, fill)
+    options = [option for option in _options(brief) if not _is_laid(option)]
+    finishes = [option for option in options if all(_is_finish(usual.category) for usual in option)]
+    brief = _with_some(brief, finishes, _FINISHES, (), rng, fill)
+    others = [option for option in options if option not in finishes and is_open(brief) and not _is_told(brief)]
+    return _with_some(brief, others, 0, (), rng, fill)
 
 
 def _is_finish(category: str) -> bool:
@@ -284,9 +287,9 @@ def _is_named(category: str, name: str) -> bool:
 
     One kind of chairs to lean back in is enough.
     """
-    pictures = varieties().pictures.split(", ")
-    seats = load_habits().is_in(category, "lounges") and are_alike(category, name)
-    return category.endswith(f"_{name}") or {category, name} <= {*pictures} or seats
+    if category.endswith(f"_{name}") or any({category, name} <= {*listed.split(", ")} for listed in varieties().alike):
+        return True
+    return load_habits().is_in(category, "lounges") and are_alike(category, name)
 
 
 def _does_for(name: str, wanted: str) -> bool:
