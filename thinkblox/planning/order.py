@@ -40,6 +40,8 @@ _OVER_BONUS = 2.0
 """What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
 _COMPANION_BONUS = 0.5
 """What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
+_BEFORE, _AT_END = 10_000, 1.2
+"""Puts parts of a run before all others of it, and how high those are that stand at its end [m]."""
 _LOW, _WIDE = 0.6, 1.2
 """What hangs lower and is wider and higher than that takes a wall as large furniture does [m]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -167,7 +169,8 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
         first = min(ranks[id][:2] for id in run)
         whole = sum(members.by_id[id].footprint for id in run)
         stage = 0 if any(members.by_id[id].request.asked for id in run) else first[0]
-        ranks |= {id: (stage, min(first[1], -round(whole, 6)), ranks[id][2]) for id in run}
+        weight, parts = min(first[1], -round(whole, 6)), (members.by_id[id] for id in run)
+        ranks |= {part.id: (stage, weight, ranks[part.id][2] - _BEFORE * _fixes_run(part)) for part in parts}
     queue = list(ranks)
     while queue:
         id = queue.pop()
@@ -176,6 +179,13 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
                 ranks[anchor] = (*ranks[id][:2], ranks[anchor][2])
                 queue.append(anchor)
     return ranks
+
+
+def _fixes_run(part: Member) -> int:
+    """How much of a run follows from where a part of it stands: what fills a corner, then what is at an end."""
+    if facts_of(part.category).is_in("fills_corner"):
+        return 2
+    return int(kind_of(part.category).size[2] > _AT_END)
 
 
 def _runs(members: Members) -> list[list[str]]:
