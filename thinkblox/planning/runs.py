@@ -112,14 +112,13 @@ def _shape(brief: Brief, room: Room, least: float, seed: int) -> str:
     meant = room_type(brief.room_type).run
     if meant:
         return meant if meant == "facing" or _length(brief, room, meant) else "corner" if _corners(room) else ""
+    if "kitchen" not in kinds_of_room(brief.room_type):
+        return ""
     straight, round_ = _length(brief, room, ""), _length(brief, room, "corner")
-    kitchen = "kitchen" in kinds_of_room(brief.room_type)
-    width, depth = sorted(room.extent)
     lit = _is_lit(brief) and round_ > straight
+    width, depth = sorted(room.extent)
     often = np.random.default_rng((seed, _SALT)).random() < _OFTEN_ROUND and width / depth > _SQUARE
-    if round_ and (straight < least or lit or (kitchen and often)) and round_ >= min(least, straight):
-        return "corner"
-    return ""
+    return "corner" if round_ >= min(least, straight) > 0.0 and (straight < least or lit or often) else ""
 
 
 def _length(brief: Brief, room: Room, shape: str) -> float:

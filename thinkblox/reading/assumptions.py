@@ -346,7 +346,7 @@ def _is_sketched(draft: Draft) -> bool:
 def _is_on_worktop(bond: Bond) -> bool:
     """Whether it says what stands on the worktop, which is part of the whole, and so arranges nothing."""
     return bond.kind == "on" and any(
-        isinstance(a, Mention) and load_habits().is_in(a.noun, "takes_built_in") and is_surface(a.called or a.text)
+        isinstance(a, Mention) and load_habits().is_in(a.noun, "built_in_line") and is_surface(a.called or a.text)
         for a in bond.anchors
     )
 
