@@ -175,10 +175,17 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     while queue:
         id = queue.pop()
         for anchor in needs[id]:
-            if members.by_id[id].mount == "floor" and ranks[id][:2] < ranks[anchor][:2]:
+            early = members.by_id[id].mount == "floor" or _is_over(members.by_id[id])
+            if early and ranks[id][:2] < ranks[anchor][:2]:
                 ranks[anchor] = (*ranks[id][:2], ranks[anchor][2])
                 queue.append(anchor)
     return ranks
+
+
+def _is_over(member: Member) -> bool:
+    """Whether it hangs on the wall over a thing: a hood over its hob."""
+    over = any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
+    return over and member.mount == "wall"
 
 
 def _fixes_run(part: Member) -> int:
@@ -273,7 +280,7 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, com
     weight += _NAMED_PLACE_BONUS * wall
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
-    weight += _OVER_BONUS * any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
+    weight += _OVER_BONUS * _is_over(member)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     weight += _COMPANION_BONUS * (companion is not None)
     late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)
