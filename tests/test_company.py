@@ -155,7 +155,7 @@ def test_a_toilet_is_a_thing_too():
 
 
 def test_a_kitchenette_is_a_room_or_a_thing():
-    assert read_brief("A kitchenette with a fridge and a table for two").room_type == "kitchen"
+    assert read_brief("A kitchenette with a fridge and a table for two").room_type == "kitchenette"
     brief = read_brief("A studio flat with a kitchenette, a bed and a sofa")
     assert brief.room_type == "studio"
     assert not brief.unknown

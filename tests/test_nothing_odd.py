@@ -264,14 +264,15 @@ def test_several_beds_stand_in_line_with_their_heads_to_the_walls(prompt):
         "A laundry room with two washing machines, a dryer and a sink",
     ],
 )
-def test_cabinets_and_appliances_stand_in_one_line_or_in_two_that_face_each_other(prompt):
+def test_cabinets_and_appliances_stand_in_one_line_in_two_that_face_each_other_or_round_a_filled_corner(prompt):
     room = made(prompt)
     run = [p for p in room.scene.placements if facts_of(p.category).is_in("built_in_line")]
     turns = sorted({round(p.yaw) for p in run})
     assert room.report.valid
-    assert len(turns) == 1 or turns[1:] == [turns[0] + 180]
-    for turn in turns:
-        line = unary_union([p.footprint.buffer(0.03, cap_style="square") for p in run if round(p.yaw) == turn])
+    filled = any(facts_of(p.category).is_in("fills_corner") for p in run)
+    assert filled or len(turns) == 1 or turns[1:] == [turns[0] + 180]
+    for parts in [run] if filled else [[p for p in run if round(p.yaw) == turn] for turn in turns]:
+        line = unary_union([p.footprint.buffer(0.03, cap_style="square") for p in parts])
         assert line.geom_type == "Polygon"
 
 

@@ -92,7 +92,12 @@ def test_a_kitchen_has_as_many_cabinets_as_its_walls_take(prompt: str, corners: 
 
 
 def test_what_a_kitchen_is_called_by_is_understood() -> None:
-    kinds = {"An L-shaped kitchen": "corner_kitchen", "A U-shaped kitchen with a table": "u_kitchen"}
+    kinds = {
+        "An L-shaped kitchen": "corner_kitchen",
+        "A U-shaped kitchen with a table": "u_kitchen",
+        "A kitchen with L-shaped cabinets and a fridge": "corner_kitchen",
+        "The kitchenette of a small office": "kitchenette",
+    }
     for prompt, kind in kinds.items():
         brief = read_brief(prompt)
         assert (brief.room_type, brief.unknown, brief.shape) == (kind, (), "rectangle")

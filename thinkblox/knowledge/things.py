@@ -29,3 +29,11 @@ def are_alike(one: str, other: str) -> bool:
     if one == other or one not in known or other not in known:
         return one == other
     return not set(known[one].like).isdisjoint(known[other].like)
+
+
+def is_surface(called: str) -> bool:
+    """Whether a thing is called by its top alone, which may be that of many in one line: "the worktop", "a counter"."""
+    return called.lower().rpartition(" ")[2].rstrip("s").endswith(_SURFACES)
+
+
+_SURFACES = ("top", "counter", "surface")

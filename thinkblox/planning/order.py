@@ -40,6 +40,8 @@ _OVER_BONUS = 2.0
 """What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
 _COMPANION_BONUS = 0.5
 """What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
+_BEFORE, _AT_END = 10_000, 1.2
+"""Puts parts of a run before all others of it, and how high those are that stand at its end [m]."""
 _LOW, _WIDE = 0.6, 1.2
 """What hangs lower and is wider and higher than that takes a wall as large furniture does [m]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -167,15 +169,30 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
         first = min(ranks[id][:2] for id in run)
         whole = sum(members.by_id[id].footprint for id in run)
         stage = 0 if any(members.by_id[id].request.asked for id in run) else first[0]
-        ranks |= {id: (stage, min(first[1], -round(whole, 6)), ranks[id][2]) for id in run}
+        weight, parts = min(first[1], -round(whole, 6)), (members.by_id[id] for id in run)
+        ranks |= {part.id: (stage, weight, ranks[part.id][2] - _BEFORE * _fixes_run(part)) for part in parts}
     queue = list(ranks)
     while queue:
         id = queue.pop()
         for anchor in needs[id]:
-            if members.by_id[id].mount == "floor" and ranks[id][:2] < ranks[anchor][:2]:
+            early = members.by_id[id].mount == "floor" or _is_over(members.by_id[id])
+            if early and ranks[id][:2] < ranks[anchor][:2]:
                 ranks[anchor] = (*ranks[id][:2], ranks[anchor][2])
                 queue.append(anchor)
     return ranks
+
+
+def _is_over(member: Member) -> bool:
+    """Whether it hangs on the wall over a thing: a hood over its hob."""
+    over = any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
+    return over and member.mount == "wall"
+
+
+def _fixes_run(part: Member) -> int:
+    """How much of a run follows from where a part of it stands: what fills a corner, then what is at an end."""
+    if facts_of(part.category).is_in("fills_corner"):
+        return 2
+    return int(kind_of(part.category).size[2] > _AT_END)
 
 
 def _runs(members: Members) -> list[list[str]]:
@@ -263,7 +280,7 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, com
     weight += _NAMED_PLACE_BONUS * wall
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
-    weight += _OVER_BONUS * any(tie.kind == "above" and is_object(a) for tie in member.ties for a in tie.anchors)
+    weight += _OVER_BONUS * _is_over(member)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     weight += _COMPANION_BONUS * (companion is not None)
     late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)

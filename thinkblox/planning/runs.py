@@ -10,6 +10,7 @@ from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief, Relation, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import kinds_of_room, room_type
+from thinkblox.knowledge.things import is_surface
 from thinkblox.planning.space import extent
 from thinkblox.scene.room import Room
 from thinkblox.scene.stretches import is_inner_corner, stretches
@@ -33,6 +34,8 @@ _AT_WORK = 2
 _OFTEN_ROUND, _SQUARE = 0.4, 0.7
 """How often a kitchen that says nothing of it goes round a corner, and the least proportion of such a room."""
 _FEW_BUILT_IN = 2
+_CORNERS = {"corner": 1, "sides": 2}
+"""How many corners a run of a shape goes round."""
 _SALT = 4_000_037
 
 
@@ -42,18 +45,45 @@ def with_run(brief: Brief, room: Room, seed: int) -> Brief:
     A run that is too long for every wall, or is called so, gets a unit for each corner that it goes round. What the
     prompt says of cabinets stays.
     """
-    base = next((r for r in brief.requests if facts_of(r.category).is_in("takes_built_in") and _is_of_run(r)), None)
-    if base is None or not _is_open(brief, base):
+    base = next((r for r in brief.requests if _is_unit(r)), None)
+    if base is None or brief.empty:
         return brief
+    if is_surface(base.called) and base.count == 1:
+        brief, base = _besides(brief, base)
+    elif not _is_open(brief, base):
+        meant = room_type(brief.room_type).run
+        return _with_corners(brief, base, _CORNERS.get(meant, 0) if meant and _length(brief, room, meant) else 0)
     run = [r for r in brief.requests if _is_of_run(r) and facts_of(r.category).runs_with(facts_of(base.category))]
     others = sum(r.count * extent(r)[1] for r in run if r.key != base.key)
     let_in = (r for r in brief.relations if r.kind == "on" and base.key in r.anchors)
     built_in = max(1, sum(r.subject in _built_in(brief) for r in let_in))
     least = built_in + (1 if built_in < _FEW_BUILT_IN else _AT_WORK)
     shape = _shape(brief, room, others + least * _MODULE, seed)
-    corners = {"corner": 1, "sides": 2}.get(shape, 0)
+    corners = _CORNERS.get(shape, 0)
     count = max(built_in + 1, round((_length(brief, room, shape) - others) / _MODULE))
     return _with_corners(_counted(brief, base, count), base, corners)
+
+
+def _is_unit(request: Request) -> bool:
+    return facts_of(request.category).is_in("takes_built_in") and _is_of_run(request)
+
+
+def _besides(brief: Brief, surface: Request) -> tuple[Brief, Request]:
+    """The brief with cabinets besides one that is named for its top alone, and these: they take what is assumed on it.
+
+    A worktop on which a kettle stands is a part of the whole.
+    """
+    taken = {r.key for r in brief.requests}
+    key = next(k for n in range(2, len(taken) + 3) if (k := f"{surface.category}-{n}") not in taken)
+    more = Request(key=key, category=surface.category, asked=False, attributes=surface.attributes)
+    at = brief.requests.index(surface) + 1
+    relations = tuple(
+        replace(r, anchors=(key,)) if not r.asked and r.anchors == (surface.key,) and r.kind in ("on", "above") else r
+        for r in brief.relations
+    )
+    walled = Relation(kind="against_wall", subject=key, anchors=("wall",), asked=False)
+    requests = (*brief.requests[:at], more, *brief.requests[at:])
+    return replace(brief, requests=requests, relations=(*relations, walled)), more
 
 
 def _is_open(brief: Brief, base: Request) -> bool:
@@ -61,7 +91,7 @@ def _is_open(brief: Brief, base: Request) -> bool:
     units = [r for r in brief.requests if _is_of_run(r)]
     named = any(r.asked and facts_of(r.category).is_in("takes_built_in", "fills_corner") for r in units)
     placed = any(r.asked and base.key in (r.subject, *r.anchors) for r in brief.relations)
-    return not (base.asked or named or placed or brief.empty)
+    return not (base.asked or named or placed)
 
 
 def _is_of_run(request: Request) -> bool:
@@ -82,14 +112,13 @@ def _shape(brief: Brief, room: Room, least: float, seed: int) -> str:
     meant = room_type(brief.room_type).run
     if meant:
         return meant if meant == "facing" or _length(brief, room, meant) else "corner" if _corners(room) else ""
+    if "kitchen" not in kinds_of_room(brief.room_type):
+        return ""
     straight, round_ = _length(brief, room, ""), _length(brief, room, "corner")
-    kitchen = "kitchen" in kinds_of_room(brief.room_type)
-    width, depth = sorted(room.extent)
     lit = _is_lit(brief) and round_ > straight
+    width, depth = sorted(room.extent)
     often = np.random.default_rng((seed, _SALT)).random() < _OFTEN_ROUND and width / depth > _SQUARE
-    if round_ and (straight < least or lit or (kitchen and often)) and round_ >= min(least, straight):
-        return "corner"
-    return ""
+    return "corner" if round_ >= min(least, straight) > 0.0 and (straight < least or lit or often) else ""
 
 
 def _length(brief: Brief, room: Room, shape: str) -> float:

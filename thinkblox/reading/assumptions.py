@@ -13,7 +13,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type, room_types
 from thinkblox.knowledge.seats import places_at, usual_seat
 from thinkblox.knowledge.sets import rest_of_set
-from thinkblox.knowledge.things import are_alike, counts_as, things
+from thinkblox.knowledge.things import are_alike, counts_as, is_surface, things
 from thinkblox.knowledge.variety import varieties
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -57,6 +57,7 @@ _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
 
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
+    _shape_by_run(draft)
     if fill == "named" and not draft.empty:
         _part_off(draft)
         _one_on_each(draft)
@@ -82,6 +83,15 @@ def assume(draft: Draft, fill: Fill) -> None:
         _ring_up(draft)
         _lay_out_goods(draft, sold)
         _carry(draft, seated=True)
+
+
+def _shape_by_run(draft: Draft) -> None:
+    """Take a shape that is said of what is built in one line for that of its room: a kitchen with U-shaped worktops."""
+    shapes = room_type(draft.room).shapes
+    for thing in [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "takes_built_in")]:
+        if load_habits().is_in(thing.noun, "built_in_line") and (said := [a for a in thing.attributes if a in shapes]):
+            draft.room = shapes[said[0]]
+            thing.attributes.remove(said[0])
 
 
 def anticipated(draft: Draft) -> frozenset[str]:
@@ -327,10 +337,18 @@ def _is_sketched(draft: Draft) -> bool:
     """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
-    told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
+    told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED and not _is_on_worktop(b)]
     arranged = any(isinstance(a, Mention) and a is not b.subject for b in told for a in b.anchors)
     core = room_type(draft.room).core
     return not (arranged and any(are_alike(name, thing.noun) for name in core for thing in draft.things))
+
+
+def _is_on_worktop(bond: Bond) -> bool:
+    """Whether it says what stands on the worktop, which is part of the whole, and so arranges nothing."""
+    return bond.kind == "on" and any(
+        isinstance(a, Mention) and load_habits().is_in(a.noun, "built_in_line") and is_surface(a.called or a.text)
+        for a in bond.anchors
+    )
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:

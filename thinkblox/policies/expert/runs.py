@@ -35,14 +35,17 @@ NEXT_TO = ("next_to", "left_of", "right_of", "between")
 """Relations of neighbours in a run."""
 HOT_BY_WINDOW, WET_BY_WINDOW = 6.0, -1.2
 """Costs of cooking under a window, and of washing up there."""
-NO_UPPERS, UPPERS = 2.5, 0.6
-"""Cost of a run over which no wall cabinets can hang that are to come, and how long each of these is [m]."""
+NO_UPPERS, UPPERS = (2.5, 6.0), 0.6
+"""Cost of a run over which no wall cabinets can hang that are to come, assumed and asked for, and how long each of
+these is [m]."""
 BY_WINDOW = ("under", "near", "next_to", "in_front_of")
 """Relations to a window that a place in a run can meet."""
 SAME_PLACE = 0.12
 """A member stands in a slot when it is nearer than this [m]."""
 SAME_WIDTH = 0.002
 """Widths that differ by less are the same [m]."""
+WORSE = 1.5
+"""How much dearer each place is that another than the best layout gives, so that all parts keep to one."""
 FINALISTS = 6
 """Layouts of which each gives an idea."""
 
@@ -66,7 +69,7 @@ def run_ideas(situation: Situation) -> Iterator[Idea]:
         if any(wall == slot.wall and abs(along - slot.along) < SAME_PLACE for wall, along in taken):
             continue
         taken.append((slot.wall, slot.along))
-        yield _idea(situation, slot, float(costs[i]), len(members))
+        yield _idea(situation, slot, float(costs[i]) + WORSE * (len(taken) - 1), len(members))
         if len(taken) == FINALISTS:
             return
 
@@ -210,9 +213,11 @@ def _window_costs(situation: Situation, layout: RunLayout) -> float:
     at = [_is_by_window(situation, slot) for slot in layout.slots]
     cost = HOT_BY_WINDOW * sum(slot.member.hot and _is_before_window(situation, slot) for slot in layout.slots)
     cost += WET_BY_WINDOW * any(by and slot.member.wet for by, slot in zip(at, layout.slots, strict=True))
-    if uppers := sum(facts_of(t.category).is_in("over_run") for t in situation.observation.plan.targets):
+    above = [t for t in situation.observation.plan.targets if facts_of(t.category).is_in("over_run")]
+    if above:
+        weight = NO_UPPERS[any(t.asked for t in above)]
         low = (s for s in layout.slots if not (s.member.hot or s.member.is_tall or _is_before_window(situation, s)))
-        cost += NO_UPPERS * max(0.0, 1.0 - sum(slot.member.size[1] for slot in low) / (UPPERS * uppers))
+        cost += weight * max(0.0, 1.0 - sum(slot.member.size[1] for slot in low) / (UPPERS * len(above)))
     return cost
 
 
