@@ -60,7 +60,7 @@ def test_what_lies_in_the_middle_or_in_a_pile(prompt: str, relation: str) -> Non
     ("prompt", "asked"),
     [
         ("A treadmill and a bike. Both of them face a mirror.", "1 bicycle, 1 mirror, 1 treadmill"),
-        ("Two chairs. Both face a mirror with a lamp above it.", "2 chair, 1 mirror, 1 pendant_lamp"),
+        ("Two chairs. Both face a mirror with a lamp above it.", "2 chair, 1 mirror, 1 wall_lamp"),
         ("A sofa and an armchair. They both face a TV.", "1 armchair, 1 sofa, 1 tv"),
         ("Two chairs. Both chairs are next to a lamp and have a cushion.", "2 chair, 1 floor_lamp, 2 pillow"),
         ("Two beds. Both of them have a pillow.", "2 bed, 2 pillow"),

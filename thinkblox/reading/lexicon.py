@@ -130,7 +130,7 @@ class Lexicon:
         """The attribute that three or more words say which begin with a thing or a place, and how many they are."""
         if tokens[at].text not in self.begun("attribute"):
             return "", 0
-        for length in range(LONGEST, 2, -1):
+        for length in range(min(LONGEST, len(tokens) - at), 2, -1):
             key = tuple(token.text for token in tokens[at : at + length])
             looks = [e.value for e in self.phrases.get(key, ()) if e.sort == "attribute"]
             if looks and any(e.sort in ("place", "object") for e in self.phrases.get(key[:1], ())):
