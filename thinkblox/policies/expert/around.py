@@ -18,6 +18,8 @@ from thinkblox.value import Vec2
 
 PLACE_WIDTH = 0.6
 """Edge of a table that one person needs [m]; Neufert, Architects' Data."""
+LEG = 0.03
+"""What the legs of a table take of an edge at each end [m]: chairs that only just touch them take long to measure."""
 BETWEEN = 0.1
 """Free width between those in a circle [m]."""
 SQUEEZED = 0.5
@@ -271,8 +273,8 @@ def _width(anchor: Placement, side: str) -> float:
 
 
 def side_places(anchor: Placement, side: str, count: int) -> list[Place]:
-    """The middles of `count` equal stretches of one side."""
-    width = _width(anchor, side)
+    """The middles of `count` equal stretches of one side between its legs."""
+    width = _width(anchor, side) - 2 * LEG
     return [_place(anchor, side, width * ((i + 0.5) / count - 0.5)) for i in range(count)]
 
 
