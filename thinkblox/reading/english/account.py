@@ -17,8 +17,8 @@ _LINKS: dict[str, Fate] = {
     "corrections": "constraint",
 }
 """What becomes of words between noun phrases, by section of the grammar; the others are filler."""
-_PARTS = re.compile(r"-?\d[^/]*|[^/-]+")
-"""What is one word, where "w/o" is two, and what was joined for its look three: "floor-to-ceiling"."""
+_PARTS = re.compile(r"[^/]+")
+"""What is one word, where "w/o" is two."""
 _IDLE = ("be", "other", "put", "serve")
 """Verbs that say nothing themselves."""
 _BARRING = ("without", "except", "instead")
@@ -76,9 +76,7 @@ class Account:
         """Every word and number in order, each once."""
         pairs = zip(self._tokens, self._fates, strict=True)
         told = [(t, part, fate) for t, fate in pairs if t.kind != "mark" for part in _PARTS.finditer(t.shown)]
-        words = (Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
-        # The tokens of a look that was said in other words all show these.
-        return tuple({word.start: word for word in words}.values())
+        return tuple(Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
 
 
 def _usual(chunk: Chunk) -> Fate:

@@ -541,6 +541,8 @@ class Subjects(Having):
             return None
         if other in self.referents.shared or any(other in b.anchors for b in self.draft.bonds):
             return None
+        if where.word == "behind" and self.habits.is_in(other.noun, "visits"):
+            return None  # Visitors sit across the desk, whatever is behind it.
         anchors = self.referents.named(noun)
         if where.word in _STANDING and self._is_one_list(frame):
             return Node(frame.members[frame.begun :], frame)
