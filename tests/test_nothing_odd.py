@@ -653,7 +653,7 @@ def test_what_belongs_into_a_corner_stands_by_a_wall_where_none_is_free() -> Non
 
 
 def test_bookcases_behind_a_desk_are_behind_who_works_there_and_visitors_across_it() -> None:
-    room = made("A law office with a desk, two visitor chairs and two bookcases behind the desk")
+    room = made("A law office without windows, with a desk, two visitor chairs and two bookcases behind the desk")
     (desk,), (seat,) = placed(room, "desk"), placed(room, "office_chair")
     cases, visitors = placed(room, "bookcase"), placed(room, "visitor_chair")
     assert all(measure(room.scene, "behind", case.id, [desk.id]).holds for case in cases)
