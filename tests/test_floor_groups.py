@@ -88,6 +88,7 @@ def test_those_who_face_each_other_sit_at_the_same_table():
     assert unmet(prompt) == []
 
 
+@pytest.mark.slow
 def test_a_table_is_as_long_as_those_who_share_its_long_sides_need():
     prompt = "A party room with a long table with five chairs on each long side."
     assert unmet(prompt) == []
@@ -106,6 +107,7 @@ def test_stools_stand_in_one_line_along_the_counter():
     assert np.ptp(np.diff(sorted(y for _, y in out))) < 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     ["A chapel with an altar, a lectern and five rows of pews.", "A church, 6 m by 9 m, with an altar and ten pews."],
@@ -173,6 +175,7 @@ def test_a_board_hangs_on_the_wall_behind_the_counter():
     assert unmet(prompt) == []
 
 
+@pytest.mark.slow
 def test_rows_of_desks_look_at_the_board_in_lines_with_aisles():
     prompt = "A classroom with a blackboard and nine desks in three rows, each with a chair."
     assert unmet(prompt) == []

@@ -107,6 +107,7 @@ def test_a_server_that_goes_away_ends_the_room_and_the_trace_is_kept(tmp_path, c
     assert [r.chosen for r in read_episode(trace).rounds if "table" in r.id] == [0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("option", ["--policy", pytest.param("--planner", marks=pytest.mark.slow)])
 def test_a_server_that_is_not_there_is_named_with_what_to_do(tmp_path, capsys, option):
     with stub(played) as server:

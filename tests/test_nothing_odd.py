@@ -162,6 +162,7 @@ def test_the_back_of_a_fireplace_is_of_its_stone():
     assert len({shape.colour for shape in behind}) == 1
 
 
+@pytest.mark.slow
 def test_nothing_stands_under_the_whiteboard():
     room = made("A classroom with a whiteboard and a teacher's desk")
     board = placed(room, "whiteboard")[0]
@@ -223,6 +224,7 @@ def test_a_table_by_the_window_leaves_room_for_those_who_sit_round_it():
     assert all(apart(chair, table) < 0.3 for chair in placed(room, "chair"))
 
 
+@pytest.mark.slow
 def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():
     room = made("A gaming bedroom with two screens and posters")
     for target in room.plan.targets:
@@ -241,6 +243,7 @@ def wall_gap(room: Generation, thing: Placement) -> float:
     return float(room.scene.room.polygon.exterior.distance(thing.footprint))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     ["A hospital ward with four beds in a row"]
@@ -298,6 +301,7 @@ def test_who_serves_has_room_behind_the_counter(prompt, counter):
     assert all(back_gap(room, each) > 0.6 for each in placed(room, counter))
 
 
+@pytest.mark.slow
 def test_a_counter_that_is_asked_to_be_against_the_wall_is():
     room = made("A cafe with a counter against the wall and two tables")
     assert back_gap(room, placed(room, "counter")[0]) < 0.1
@@ -631,6 +635,7 @@ def test_computers_along_the_walls_stand_on_desks() -> None:
     assert desks <= sat_at
 
 
+@pytest.mark.slow
 def test_an_island_stands_before_the_run_with_its_ways_and_the_table_elsewhere() -> None:
     room = made("A kitchen-diner with a table for four and an island")
     (island,), (table,) = placed(room, "kitchen_island"), placed(room, "kitchen_table")
@@ -670,12 +675,14 @@ def test_a_low_table_stands_before_the_middle_of_a_row_of_chairs() -> None:
     assert abs(min(across) + max(across)) / 2 < 0.6
 
 
+@pytest.mark.slow
 def test_stations_stand_in_line_along_one_wall() -> None:
     tables = placed(made("A barber shop with three chairs"), "dressing_table")
     assert len(tables) == 3
     assert len({p.yaw for p in tables}) == 1
 
 
+@pytest.mark.slow
 def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
     room = made("A teenage girl's bedroom with a vanity and a reading nook")
     for case in placed(room, "bookcase"):
@@ -683,6 +690,7 @@ def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
         assert min(wall.coordinates(corner)[1] for wall in walls for corner in case.corners) < 0.06
 
 
+@pytest.mark.slow
 def test_a_room_whose_size_is_open_is_not_cramped() -> None:
     report = made("A bookshop with a reading corner and a counter").report
     assert report.score is not None
@@ -711,6 +719,7 @@ def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     assert room.report.complete
 
 
+@pytest.mark.slow
 def test_many_desks_stand_in_rows_whatever_else_is_there() -> None:
     room = made("An office with ten desks, two sofas and a kitchenette")
     desks = [p.id for p in placed(room, "desk")]
