@@ -1,5 +1,6 @@
 """In which order what is built in one line stands: as one cooks, with worktop beside hob and sink."""
 
+from collections import Counter
 from collections.abc import Sequence
 from itertools import islice, pairwise, permutations
 from typing import NamedTuple
@@ -68,8 +69,8 @@ Line = list[RunMember]
 
 
 def orders(low: Line) -> list[tuple[Line, float]]:
-    """The best ways to line up what is low, seen from either end, with what each costs; plain cabinets stay in turn."""
-    plain = [m for m in low if m.is_free and not (m.beside or m.window)]
+    """The best ways to line up what is low, seen from either end, with what each costs; some stay in turn."""
+    plain = _in_turn(low)
     special = [m for m in low if m not in plain]
     found: list[tuple[float, Line]] = []
     for places in islice(permutations(range(len(low)), len(special)), MOST_TRIED):
@@ -83,6 +84,14 @@ def orders(low: Line) -> list[tuple[Line, float]]:
     return [
         (order, cost - least) for cost, line in best for order in ((line, line[::-1]) if len(line) > 1 else (line,))
     ]
+
+
+def _in_turn(low: Line) -> Line:
+    """What need not change places: plain cabinets, or where there are none the most that are alike."""
+    loose = [m for m in low if not (m.beside or m.window)]
+    plain = [m for m in loose if m.is_free]
+    alike = Counter(m._replace(id="") for m in loose).most_common(1)
+    return plain or [m for m in loose if alike and m._replace(id="") == alike[0][0]]
 
 
 def order_cost(line: Line) -> float:
