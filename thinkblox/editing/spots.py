@@ -108,10 +108,7 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     if isinstance(goal, OnWall | BySmall):
         yield from _hanging(scene, asset, goal) if isinstance(goal, OnWall) else _by_small(asset, scene[name])
         return
-    if goal.kind == "above" and asset.mount == "ceiling" and name in scene:
-        yield (*scene[name].position[:2], scene.room.height - asset.size[2]), scene[name].yaw
-        return
-    if goal.kind == "above" and asset.mount == "wall" and name in scene:
+    if goal.kind == "above" and asset.mount in ("ceiling", "wall") and name in scene:
         yield from _hanging_over(scene, asset, scene[name])
         return
     if name not in scene and asset.mount == "wall" and goal.kind in ("left_of", "right_of"):
@@ -183,7 +180,10 @@ def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
 
 
 def _hanging_over(scene: Scene, asset: Asset, thing: Placement) -> Iterator[Pose]:
-    """On the wall that a thing is at, over it: at eye height and close above it, beside the windows and over them."""
+    """From the ceiling over a thing, or on the wall that it is at, at several heights, off its doors and windows."""
+    if asset.mount == "ceiling":
+        yield (*thing.position[:2], scene.room.height - asset.size[2]), thing.yaw
+        return
     beyond, aside = scene.room.height - asset.size[2], thing.size[1] / 2
     for wall in scene.room.walls:
         along, inward = wall.coordinates(thing.position[:2])
