@@ -8,6 +8,7 @@ from tests.edited_rooms import OPENINGS, SOURCE, bedroom, built, dining, living,
 from tests.test_editing_guard import done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.reading.accounting import signature
 from thinkblox.editing.rows import MIDDLE_ROW, rows_of
 from thinkblox.errors import InputError
 from thinkblox.scene.landmarks import things
@@ -370,3 +371,23 @@ def test_several_things_face_one_window() -> None:
     after = done(before, "Turn both armchairs so that they face the window").scene
     ids, windows = ("armchair_1", "armchair_2"), ("window_1", "window_2")
     assert any(all(measure(after, "facing", id, (window,)).holds for id in ids) for window in windows)
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("Move the plant to the window, it needs light.", "Move the plant to the window."),
+        (
+            "Move the plant to the window, it needs more sunlight, and remove the rug",
+            "Move the plant to the window and remove the rug",
+        ),
+        ("Move the plant to the window because it needs light.", "Move the plant to the window."),
+        ("Put a small table next to the armchair for my tea.", "Put a small table next to the armchair."),
+        ("Add a lamp by the bed for reading in the evening", "Add a lamp by the bed"),
+        ("Put the towel rack closer to the bathtub so I can reach it.", "Put the towel rack closer to the bathtub."),
+    ],
+)  # fmt: skip
+def test_what_something_is_for_furnishes_nothing(said: str, plain: str) -> None:
+    read, meant = read_instruction(said), read_instruction(plain)
+    assert signature(list(read.orders)) == signature(list(meant.orders))
+    assert read.unknown == meant.unknown == ()

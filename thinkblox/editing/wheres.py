@@ -259,7 +259,7 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         if seated:
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
         else:
-            bounds += [Bound(kind, (anchor,)) for kind in kinds]
+            bounds += [_upon(Bound(kind, (anchor,)), category, finder) for kind in kinds]
     return bounds
 
 
