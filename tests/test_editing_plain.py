@@ -391,3 +391,30 @@ def test_what_something_is_for_furnishes_nothing(said: str, plain: str) -> None:
     read, meant = read_instruction(said), read_instruction(plain)
     assert signature(list(read.orders)) == signature(list(meant.orders))
     assert read.unknown == meant.unknown == ()
+
+
+def test_a_sink_goes_along_with_its_cabinet() -> None:
+    before = built(room(), ("base_cabinet_1", 1.0, 0.35, 90.0, "floor"), ("sink_1", 1.0, 0.35, 90.0, "base_cabinet_1"))
+    edit = done(before, "I would like the sink under the window")
+    assert edit.scene["sink_1"].support == "base_cabinet_1"
+    assert measure(edit.scene, "under", "base_cabinet_1", ("window_1",)).holds
+
+
+def test_a_sink_is_not_put_on_the_floor() -> None:
+    before = built(room(), ("base_cabinet_1", 1.0, 0.35, 90.0, "floor"), ("sink_1", 1.0, 0.35, 90.0, "base_cabinet_1"))
+    edit = edit_room(before, "Move the sink to the window, but leave the base cabinet where it is")
+    assert edit.scene["sink_1"].support == "base_cabinet_1"
+    assert edit.failed
+
+
+def test_that_wall_is_the_one_at_which_stood_what_is_gone() -> None:
+    before = built(room(), ("wardrobe_1", 5.65, 4.0, 180.0, "floor"), ("sideboard_1", 0.3, 2.5, 0.0, "floor"))
+    after = done(before, "Remove the wardrobe and center the sideboard on that wall").scene
+    assert measure(after, "against_wall", "sideboard_1", ("east_wall",)).holds
+    assert after["sideboard_1"].position[1] == pytest.approx(2.5, abs=0.1)
+
+
+def test_what_comes_behind_a_new_thing_is_behind_it() -> None:
+    orders = read_instruction("Add an armchair near the window, with a floor lamp behind it").orders
+    assert [order.doing for order in orders] == ["add", "add"]
+    assert [(w.word, w.noun.text) for w in orders[1].things[0].places if w.noun is not None] == [("behind", "it")]

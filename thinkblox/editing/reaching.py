@@ -78,7 +78,7 @@ class Reaching:
         self.empty = without(self.work.scene, gone)
         self.alone = self.work.world.with_scene(self.empty)
         self.groups = 0
-        self.darkens = ""
+        self.barred = ""
 
     def run(self) -> bool:
         """Place the object; False where nothing that was found both passes and meets the goals."""
@@ -100,7 +100,7 @@ class Reaching:
         """What spoke against it: the failure of the try that came nearest, or what was missed."""
         if self.failed:
             return str(min(self.failed, key=_badness)[1])
-        return self.darkens or (self.missed[-1] if self.missed else "") or f"{self.target.id}: no free place was found"
+        return self.barred or (self.missed[-1] if self.missed else "") or f"{self.target.id}: no free place was found"
 
     def action(self, position: Vec3, yaw: float, asset: Asset) -> Action:
         """What puts the object at a pose."""
@@ -221,7 +221,19 @@ class Reaching:
             holds, text = goal.check(self.work.before, after, self.target.id)
             if not holds:
                 return f"{self.target.id} would not be as asked: {text}"
-        return self._darkened(after)
+        return self._darkened(after) or self._unheld(after)
+
+    def _unheld(self, after: Scene) -> str:
+        """What it would be let into that takes no such thing, for a sink or hob; empty where all is well."""
+        id = self.target.id
+        if not facts_of(self.asset.category).is_in("built_in") or self.asset.mount != "surface":
+            return ""
+        on = after[id].support
+        taken = on in after and facts_of(after[on].category).is_in("takes_built_in")
+        if taken or (id in self.work.before and self.work.before[id].support == on):
+            return ""
+        self.barred = f"{id} is let into a worktop, which {'the floor' if on == 'floor' else on} has not"
+        return self.barred
 
     def _darkened(self, after: Scene) -> str:
         """Which window it would hang on and did not before, where nobody said so; empty where there is none."""
@@ -232,8 +244,8 @@ class Reaching:
         old = covered_openings(self.work.before.room, self.work.before[id]) if id in self.work.before else ()
         new = [opening.id for opening in covered_openings(after.room, after[id]) if opening not in old]
         if new:
-            self.darkens = f"{id} would hang on {' and '.join(new)}"
-        return self.darkens if new else ""
+            self.barred = f"{id} would hang on {' and '.join(new)}"
+        return self.barred if new else ""
 
     def _measured(self, proposal: Proposal) -> Verdict:
         action, world = proposal.action, self.work.world
