@@ -397,6 +397,7 @@ def test_a_sink_goes_along_with_its_cabinet() -> None:
     before = built(room(), ("base_cabinet_1", 1.0, 0.35, 90.0, "floor"), ("sink_1", 1.0, 0.35, 90.0, "base_cabinet_1"))
     edit = done(before, "I would like the sink under the window")
     assert edit.scene["sink_1"].support == "base_cabinet_1"
+    assert any("sink_1 is let into base_cabinet_1" in note for note in edit.notes)
     assert measure(edit.scene, "under", "base_cabinet_1", ("window_1",)).holds
 
 
@@ -418,3 +419,30 @@ def test_what_comes_behind_a_new_thing_is_behind_it() -> None:
     orders = read_instruction("Add an armchair near the window, with a floor lamp behind it").orders
     assert [order.doing for order in orders] == ["add", "add"]
     assert [(w.word, w.noun.text) for w in orders[1].things[0].places if w.noun is not None] == [("behind", "it")]
+
+
+def test_what_is_beside_what_a_thing_stands_before_is_not_before_it() -> None:
+    before = built(room(), ("stove_1", 1.0, 0.35, 90.0, "floor"), ("bath_mat_1", 1.0, 2.0, 90.0, "floor"),
+                   ("coffee_table_1", 2.3, 1.8, 0.0, "floor"))  # fmt: skip
+    for said, id in (("Put the coffee table in front of the stove", "coffee_table_1"),
+                     ("Put the mat in front of the stove", "bath_mat_1")):  # fmt: skip
+        after = edit_room(before, said).scene
+        assert after[id] != before[id]
+        assert abs(after[id].position[0] - 1.0) < 0.5
+
+
+def test_a_mat_is_the_one_that_there_is_and_it_gets_a_chair() -> None:
+    before = built(room(), ("bath_mat_1", 1.0, 2.0, 90.0, "floor"), ("desk_1", 4.6, 1.0, 0.0, "floor"))
+    assert same_but(before, done(before, "Remove the mat").scene, "bath_mat_1")
+    after = done(before, "Move the desk under the window and get it a chair").scene
+    assert measure(after, "at", "chair_1", ("desk_1",)).holds
+
+
+def test_what_stays_on_a_thing_goes_where_that_goes() -> None:
+    before = built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor"), ("table_lamp_1", 1.0, 1.0, 0.0, "desk_1"),
+                   ("bookcase_1", 4.6, 3.0, 180.0, "floor"))  # fmt: skip
+    for said in ("Move the desk to the middle of the room; the lamp stays on the desk",
+                 "Swap the bookcase with the desk; the lamp stays on the desk"):  # fmt: skip
+        edit = done(before, said)
+        assert edit.scene["table_lamp_1"].support == "desk_1"
+        assert "table_lamp_1 stays on desk_1" in edit.done

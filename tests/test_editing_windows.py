@@ -28,3 +28,9 @@ def test_a_low_plant_is_next_to_the_window_that_it_stands_below() -> None:
     before = built(room(), ("potted_plant_1", 0.3, 0.5, 0.0, "floor"))
     after = done(before, "Move the plant next to the window").scene
     assert after["potted_plant_1"].position[1] > 4.0
+
+
+def test_a_television_that_is_hung_becomes_one_that_hangs() -> None:
+    before = built(room(), ("tv_stand_1", 3.0, 0.3, 90.0, "floor"), ("tv_1", 3.0, 0.3, 90.0, "tv_stand_1"))
+    after = done(before, "Hang the TV on the wall").scene
+    assert after["tv_1"].support.endswith("_wall")

@@ -97,7 +97,13 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
-    """Whether a phrase with something new says at which side of "it" that is to be: "with a lamp behind it"."""
+    """Whether a phrase with something new says at which side of "it" that is to be: "with a lamp behind it".
+
+    What it goes with has a place of its own before that: of "put a stool with a pillow beside it" that is the stool's.
+    """
+    begin = next((n for n in range(at - 1, -1, -1) if longest("verbs", tokens, n) is not None), 0)
+    if not any(grammar().at(tokens, n, "prepositions") is not None for n in range(begin, at)):
+        return False
     for n in range(at + 2, min(at + MOST_NAMED, len(tokens) - 1)):
         found = grammar().at(tokens, n, "prepositions")
         if tokens[n].kind == "mark" or (found is not None and found.value not in _ASIDE):
