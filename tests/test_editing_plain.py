@@ -446,3 +446,8 @@ def test_what_stays_on_a_thing_goes_where_that_goes() -> None:
         edit = done(before, said)
         assert edit.scene["table_lamp_1"].support == "desk_1"
         assert "table_lamp_1 stays on desk_1" in edit.done
+
+
+def test_a_place_before_what_goes_along_is_refused_and_breaks_nothing() -> None:
+    before = built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor"), ("chair_1", 1.7, 1.0, 180.0, "floor"))
+    edit_room(before, "Move the desk to the middle of the room, with the chair behind it, facing the door.")

@@ -257,6 +257,8 @@ class BySmall(Related):
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """How far it is from that, and which of its kind is nearest."""
         held, says = super().check(before, after, id)
+        if self.anchors[0] not in after:
+            return held, says
         anchor, mark = after[self.anchors[0]], things(after, id)[0]
         alike = [p.id for p in after.placements if p.category == anchor.category and p.support == anchor.support]
         away = {name: ground_gap(mark, things(after, name)[0]) for name in (*alike, anchor.id) if name != id}
@@ -272,13 +274,15 @@ class Ahead(Related):
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """The relation, how much of the narrower of the two is across from the other, and how far it is off."""
         held, says = super().check(before, after, id)
+        if not held:
+            return held, says
         anchor, thing = things(after, self.anchors[0])[0], after[id]
         lefts = [anchor.to_local((x, y))[1] for x, y in list(thing.footprint.exterior.coords)]
         across = min(max(lefts), anchor.half[1]) - max(min(lefts), -anchor.half[1])
         share = max(0.0, across) / min(max(lefts) - min(lefts), 2 * anchor.half[1])
         far = facts_of(thing.category).is_in("covers") and ground_gap(things(after, id)[0], anchor) > LAID_AT
         says += "" if share >= BEFORE_SHARE else f", {share:.0%} of it across from that"
-        return held and share >= BEFORE_SHARE and not far, says
+        return share >= BEFORE_SHARE and not far, says
 
 
 @dataclass(frozen=True)
