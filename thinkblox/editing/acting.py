@@ -10,7 +10,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
     Across,
-    Ahead,
+    AcrossEnd,
     Amid,
     AtHead,
     BackTo,
@@ -51,7 +51,7 @@ def _closely(there: Bound) -> Goal | None:
     if there.kind == "opposite" and len(there.anchors) == 1 and not there.negated and is_object(there.anchors[0]):
         return Across("opposite", there.anchors)
     if there.kind in _ENDS and len(there.anchors) == 1 and is_object(there.anchors[0]) and not there.negated:
-        return Ahead(there.kind, there.anchors)
+        return AcrossEnd(there.kind, there.anchors)
     close = there.upon and there.kind in ("next_to", *_SIDES)
     return BySmall(there.kind, there.anchors) if close else None
 

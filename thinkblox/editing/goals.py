@@ -268,7 +268,7 @@ class BySmall(Related):
 
 
 @dataclass(frozen=True)
-class Ahead(Related):
+class AcrossEnd(Related):
     """It stands before or behind a thing: across from that at least in part, and what lies on the floor right at it."""
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
