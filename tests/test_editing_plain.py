@@ -8,6 +8,7 @@ from tests.edited_rooms import OPENINGS, SOURCE, bedroom, built, dining, living,
 from tests.test_editing_guard import done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.reading.accounting import signature
 from thinkblox.editing.rows import MIDDLE_ROW, rows_of
 from thinkblox.errors import InputError
 from thinkblox.scene.landmarks import things
@@ -370,3 +371,83 @@ def test_several_things_face_one_window() -> None:
     after = done(before, "Turn both armchairs so that they face the window").scene
     ids, windows = ("armchair_1", "armchair_2"), ("window_1", "window_2")
     assert any(all(measure(after, "facing", id, (window,)).holds for id in ids) for window in windows)
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("Move the plant to the window, it needs light.", "Move the plant to the window."),
+        (
+            "Move the plant to the window, it needs more sunlight, and remove the rug",
+            "Move the plant to the window and remove the rug",
+        ),
+        ("Move the plant to the window because it needs light.", "Move the plant to the window."),
+        ("Put a small table next to the armchair for my tea.", "Put a small table next to the armchair."),
+        ("Add a lamp by the bed for reading in the evening", "Add a lamp by the bed"),
+        ("Put the towel rack closer to the bathtub so I can reach it.", "Put the towel rack closer to the bathtub."),
+    ],
+)  # fmt: skip
+def test_what_something_is_for_furnishes_nothing(said: str, plain: str) -> None:
+    read, meant = read_instruction(said), read_instruction(plain)
+    assert signature(list(read.orders)) == signature(list(meant.orders))
+    assert read.unknown == meant.unknown == ()
+
+
+def test_a_sink_goes_along_with_its_cabinet() -> None:
+    before = built(room(), ("base_cabinet_1", 1.0, 0.35, 90.0, "floor"), ("sink_1", 1.0, 0.35, 90.0, "base_cabinet_1"))
+    edit = done(before, "I would like the sink under the window")
+    assert edit.scene["sink_1"].support == "base_cabinet_1"
+    assert any("sink_1 is let into base_cabinet_1" in note for note in edit.notes)
+    assert measure(edit.scene, "under", "base_cabinet_1", ("window_1",)).holds
+
+
+def test_a_sink_is_not_put_on_the_floor() -> None:
+    before = built(room(), ("base_cabinet_1", 1.0, 0.35, 90.0, "floor"), ("sink_1", 1.0, 0.35, 90.0, "base_cabinet_1"))
+    edit = edit_room(before, "Move the sink to the window, but leave the base cabinet where it is")
+    assert edit.scene["sink_1"].support == "base_cabinet_1"
+    assert edit.failed
+
+
+def test_that_wall_is_the_one_at_which_stood_what_is_gone() -> None:
+    before = built(room(), ("wardrobe_1", 5.65, 4.0, 180.0, "floor"), ("sideboard_1", 0.3, 2.5, 0.0, "floor"))
+    after = done(before, "Remove the wardrobe and center the sideboard on that wall").scene
+    assert measure(after, "against_wall", "sideboard_1", ("east_wall",)).holds
+    assert after["sideboard_1"].position[1] == pytest.approx(2.5, abs=0.1)
+
+
+def test_what_comes_behind_a_new_thing_is_behind_it() -> None:
+    orders = read_instruction("Add an armchair near the window, with a floor lamp behind it").orders
+    assert [order.doing for order in orders] == ["add", "add"]
+    assert [(w.word, w.noun.text) for w in orders[1].things[0].places if w.noun is not None] == [("behind", "it")]
+
+
+def test_what_is_beside_what_a_thing_stands_before_is_not_before_it() -> None:
+    before = built(room(), ("stove_1", 1.0, 0.35, 90.0, "floor"), ("bath_mat_1", 1.0, 2.0, 90.0, "floor"),
+                   ("coffee_table_1", 2.3, 1.8, 0.0, "floor"))  # fmt: skip
+    for said, id in (("Put the coffee table in front of the stove", "coffee_table_1"),
+                     ("Put the mat in front of the stove", "bath_mat_1")):  # fmt: skip
+        after = edit_room(before, said).scene
+        assert after[id] != before[id]
+        assert abs(after[id].position[0] - 1.0) < 0.5
+
+
+def test_a_mat_is_the_one_that_there_is_and_it_gets_a_chair() -> None:
+    before = built(room(), ("bath_mat_1", 1.0, 2.0, 90.0, "floor"), ("desk_1", 4.6, 1.0, 0.0, "floor"))
+    assert same_but(before, done(before, "Remove the mat").scene, "bath_mat_1")
+    after = done(before, "Move the desk under the window and get it a chair").scene
+    assert measure(after, "at", "chair_1", ("desk_1",)).holds
+
+
+def test_what_stays_on_a_thing_goes_where_that_goes() -> None:
+    before = built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor"), ("table_lamp_1", 1.0, 1.0, 0.0, "desk_1"),
+                   ("bookcase_1", 4.6, 3.0, 180.0, "floor"))  # fmt: skip
+    for said in ("Move the desk to the middle of the room; the lamp stays on the desk",
+                 "Swap the bookcase with the desk; the lamp stays on the desk"):  # fmt: skip
+        edit = done(before, said)
+        assert edit.scene["table_lamp_1"].support == "desk_1"
+        assert "table_lamp_1 stays on desk_1" in edit.done
+
+
+def test_a_place_before_what_goes_along_is_refused_and_breaks_nothing() -> None:
+    before = built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor"), ("chair_1", 1.7, 1.0, 180.0, "floor"))
+    edit_room(before, "Move the desk to the middle of the room, with the chair behind it, facing the door.")

@@ -70,6 +70,8 @@ def _tell(result: "Edit") -> None:
         say(text)
     for text in result.failed:
         say(f"not done: {text}")
+    for text in result.notes:
+        say(f"note: {text}")
     if result.unknown:
         say(f"words not understood: {', '.join(result.unknown)}")
     say(printing.in_figures(result.report, placed=len(result.scene.placements)))

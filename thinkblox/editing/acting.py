@@ -10,6 +10,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
     Across,
+    AcrossEnd,
     Amid,
     AtHead,
     BackTo,
@@ -49,7 +50,10 @@ def _closely(there: Bound) -> Goal | None:
         return Amid("between", there.anchors)
     if there.kind == "opposite" and len(there.anchors) == 1 and not there.negated and is_object(there.anchors[0]):
         return Across("opposite", there.anchors)
-    return BySmall("next_to", there.anchors) if there.upon and there.kind == "next_to" else None
+    if there.kind in _ENDS and len(there.anchors) == 1 and is_object(there.anchors[0]) and not there.negated:
+        return AcrossEnd(there.kind, there.anchors)
+    close = there.upon and there.kind in ("next_to", *_SIDES)
+    return BySmall(there.kind, there.anchors) if close else None
 
 
 def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal:

@@ -17,6 +17,7 @@ from thinkblox.editing.company import left_behind
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.formations import form, formation_of
+from thinkblox.editing.goals import Related
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
@@ -116,6 +117,7 @@ class Edit:
         done: what was done, in sentences that name the objects.
         failed: what could not be done, with what was measured.
         unknown: words of the instruction that mean nothing.
+        notes: what else there is to say, such as which seats stayed where their table left.
     """
 
     scene: Scene
@@ -126,6 +128,7 @@ class Edit:
     done: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def plan(self) -> Plan:
@@ -314,6 +317,9 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
         old = NounPhrase(noun)
         replace(work, finder, dataclasses.replace(order, doing="replace", things=[old], instead=order.things))
         return
+    if (standing := _to_be_hung(work, finder, order)) is not None:
+        replace(work, finder, standing)
+        return
     if order.things and not any(known) and not order.rest:
         check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
@@ -323,6 +329,18 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
             finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _to_be_hung(work: Work, finder: Finder, order: Order) -> Order | None:
+    """The order that replaces what stands by one that hangs: "hang the TV on the wall"; None where it says no such."""
+    noun = order.things[0].noun if len(order.things) == 1 and not order.things[0].places else None
+    if noun is None or noun.kind != "thing" or not noun.text.lower().endswith(" on the wall") or not noun.named:
+        return None
+    found = finder.matching(noun)
+    if work.source.usual(noun.value)[1] != "wall" or len(found) != 1 or work.asset_of(found[0].id).mount == "wall":
+        return None
+    hung = NounPhrase(dataclasses.replace(noun, det="a", called=""))
+    return dataclasses.replace(order, doing="replace", things=[NounPhrase(noun, id=found[0].id)], instead=[hung])
 
 
 def _point_at_known(finder: Finder, order: Order) -> None:
@@ -408,12 +426,30 @@ def _is_more(finder: Finder, noun: Noun) -> bool:
     return not finder.matching(noun) or noun.det == "another" or bool({"more", "extra", "additional"} & {*said})
 
 
+_MOVING = ("keep", "swap", "move", "put", "turn")
+"""Orders by which what is kept on something goes where that goes."""
+
+
 def _keep(work: Work, finder: Finder, order: Order) -> None:
     """Everything that is not named stays where it is in any case; what is named is said to."""
     before = dataclasses.replace(finder, scene=work.start)
     ids = [id for phrase in order.things for id in _kept(before, phrase)]
     finder.recent = finder.recent or ids
-    work.done.append(f"{', '.join(ids) or 'all else'} stays as it is")
+    goes = [id for id in ids if id not in work.kept and id in work.scene and work.scene[id].support in work.scene]
+    for id in goes:
+        work.done.append(f"{id} stays on {work.scene[id].support}")
+        work.wish(id, [Related("on", (work.scene[id].support,))])
+    if len(goes) < len(ids) or not ids:
+        left = [id for id in ids if id not in goes]
+        work.done.append(f"{', '.join(left) or 'all else'} stays as it is")
+
+
+def _on_its_carrier(finder: Finder, phrase: NounPhrase, id: str) -> bool:
+    """Whether something stays on what carries it, wherever that goes: "the printer stays on the cabinet"."""
+    on = [w.noun for w in phrase.places if w.word in ("on", "on_top") and not w.negated and w.noun is not None]
+    carrier = finder.scene[id].support
+    named_ = [p.id for noun in on if noun.kind == "thing" for p in finder.matching(noun)]
+    return carrier in finder.scene and carrier in named_
 
 
 def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
@@ -468,7 +504,10 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     orders = in_turn(with_antecedents(_joined(read.orders), finder), finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
-    work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
+    moves = all(order.doing in _MOVING for order in orders)
+    work.kept = frozenset(
+        id for phrase in kept for id in _kept(finder, phrase) if not (moves and _on_its_carrier(finder, phrase, id))
+    )
     if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
         work.kept |= {p.id for p in work.scene.placements}
     undone = False
@@ -796,7 +835,8 @@ def _finished(
     )
     assets = {**episode.assets, **made.scene.assets, **work.assets, **scene.assets}
     episode = structs.replace(episode, assets=assets, edits=(*episode.edits, line))
-    return Edit(scene, report, episode, read.text, changes, tuple(done), tuple(work.failed), read.unknown)
+    said = tuple(done), tuple(work.failed), read.unknown, tuple(work.notes)
+    return Edit(scene, report, episode, read.text, changes, *said)
 
 
 def _begun(scene: Scene) -> Episode:

@@ -269,9 +269,11 @@ class Finder:
             p for p in self.scene.placements if _FILLED & {*p.category.split("_")[1:]} and _head(p.category) in names
         ]
         word = singular(noun.word.lower())
-        if filled or len(word) < LEAST_HEAD:
+        if filled:
             return filled
-        joined = [p for p in self.scene.placements if p.category.rpartition("_")[2].endswith(word)]
+        lasts = {p.id: p.category.rpartition("_")[2] for p in self.scene.placements}
+        joined = [p for p in self.scene.placements if lasts[p.id] == word or
+                  (len(word) >= LEAST_HEAD and lasts[p.id].endswith(word))]  # fmt: skip
         joined = [p for p in joined if not facts_of(p.category).is_in("small")]
         joined = joined or [p for p in self.scene.placements if _is_holder_of(p.category, word)]
         says = f"'{noun.text}' is taken to be {_ids(joined)}"

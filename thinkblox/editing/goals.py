@@ -62,6 +62,8 @@ ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
 ENTERED = 0.002
 """Floor that may be taken of what is to be free [m2]."""
 
+BEFORE_SHARE, LAID_AT = 0.5, 0.5
+"""How much of the narrower of two things is across from the other where one is before it; how far off a mat is [m]."""
 Finding = tuple[bool, str]
 """Whether it is so, and what was measured."""
 
@@ -255,12 +257,32 @@ class BySmall(Related):
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """How far it is from that, and which of its kind is nearest."""
         held, says = super().check(before, after, id)
+        if self.anchors[0] not in after:
+            return held, says
         anchor, mark = after[self.anchors[0]], things(after, id)[0]
         alike = [p.id for p in after.placements if p.category == anchor.category and p.support == anchor.support]
         away = {name: ground_gap(mark, things(after, name)[0]) for name in (*alike, anchor.id) if name != id}
         nearest = min(away, key=lambda name: (away[name], name != anchor.id))
         says += f"; nearer to {nearest}" if nearest != anchor.id else ""
         return held and away[anchor.id] <= BY_SMALL and nearest == anchor.id, says
+
+
+@dataclass(frozen=True)
+class AcrossEnd(Related):
+    """It stands before or behind a thing: across from that at least in part, and what lies on the floor right at it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The relation, how much of the narrower of the two is across from the other, and how far it is off."""
+        held, says = super().check(before, after, id)
+        if not held:
+            return held, says
+        anchor, thing = things(after, self.anchors[0])[0], after[id]
+        lefts = [anchor.to_local((x, y))[1] for x, y in list(thing.footprint.exterior.coords)]
+        across = min(max(lefts), anchor.half[1]) - max(min(lefts), -anchor.half[1])
+        share = max(0.0, across) / min(max(lefts) - min(lefts), 2 * anchor.half[1])
+        far = facts_of(thing.category).is_in("covers") and ground_gap(things(after, id)[0], anchor) > LAID_AT
+        says += "" if share >= BEFORE_SHARE else f", {share:.0%} of it across from that"
+        return share >= BEFORE_SHARE and not far, says
 
 
 @dataclass(frozen=True)

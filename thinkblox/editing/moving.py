@@ -641,28 +641,56 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(
-            _at_spot(work, id, goals),
-            _midway(work.scene, before, goals),
-            _onto_line(work.scene, before, goals),
-            beside_wall(work.scene, work.asset_of(id), before, goals),
-            _in_line(work.scene, before, goals),
-            _so_far(work.scene, before, goals),
-            _spots(work, id, goals),
-        )
-        if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
-            direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
-        if any(isinstance(goal, Apart) for goal in goals):
-            direct = chain(_aside(work.scene, before, goals), direct)
-        done = _reach_beside(work, id, goals, direct)
-        if done is not None and (half := _in_half(order, goals)):
-            goals = half
-            done = reach_goals(work, id, goals, direct=_half_poses(work, id, half), ask=False)
-        if done is not None and with_room_between(
-            work, id, goals, lambda: reach_goals(work, id, goals, direct=_spots(work, id, goals)) is None
-        ):
-            done = None
-    say(work, id, before, done, goals)
+        done, goals = _to_place(work, order, id, goals)
+    if done is None or not _with_its_worktop(work, id, goals):
+        say(work, id, before, done, goals)
+
+
+def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple[Reaching | None, Sequence[Goal]]:
+    """Move one object to a place that is said; what was tried where that failed, and the goals that were met."""
+    before = work.scene[id]
+    direct: Iterator[Pose] = chain(
+        _at_spot(work, id, goals),
+        _midway(work.scene, before, goals),
+        _onto_line(work.scene, before, goals),
+        beside_wall(work.scene, work.asset_of(id), before, goals),
+        _in_line(work.scene, before, goals),
+        _so_far(work.scene, before, goals),
+        _spots(work, id, goals),
+    )
+    if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
+        direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
+    if any(isinstance(goal, Apart) for goal in goals):
+        direct = chain(_aside(work.scene, before, goals), direct)
+    done = _reach_beside(work, id, goals, direct)
+    if done is not None and (half := _in_half(order, goals)):
+        goals = half
+        done = reach_goals(work, id, goals, direct=_half_poses(work, id, half), ask=False)
+    if done is not None and _with_others(work, id, goals):
+        done = None
+    return done, goals
+
+
+def _with_others(work: Work, id: str, goals: Sequence[Goal]) -> bool:
+    """Move one thing to between two others that are moved apart for it."""
+    return with_room_between(
+        work, id, goals, lambda: reach_goals(work, id, goals, direct=_spots(work, id, goals)) is None
+    )
+
+
+def _with_its_worktop(work: Work, id: str, goals: Sequence[Goal]) -> bool:
+    """Move the cabinet that a sink or hob is let into, with that and all else on it, to where that is to be."""
+    carrier = work.scene[id].support
+    if not facts_of(work.scene[id].category).is_in("built_in") or carrier not in work.scene:
+        return False
+    if carrier in work.kept or any(carrier in getattr(goal, "anchors", ()) for goal in goals):
+        return False
+    before = work.scene[carrier]
+    if reach_goals(work, carrier, goals, direct=_spots(work, carrier, goals)) is not None:
+        return False
+    say(work, carrier, before, None, goals)
+    work.notes.append(f"{id} is let into {carrier}, and goes where that goes")
+    return True
 
 
 def _in_half(order: Order, goals: Sequence[Goal]) -> list[Goal]:

@@ -8,6 +8,7 @@ from itertools import chain, islice
 
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.committing import commit
 from thinkblox.editing.goals import Goal
 from thinkblox.editing.spots import Pose, whole_floor
@@ -25,6 +26,7 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import place_words
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import ON_FLOOR, placed_at
+from thinkblox.scene.windows import covered_openings
 from thinkblox.steps import Rejection, write_step
 from thinkblox.value import Vec3
 from thinkblox.verdict import Verdict
@@ -76,6 +78,7 @@ class Reaching:
         self.empty = without(self.work.scene, gone)
         self.alone = self.work.world.with_scene(self.empty)
         self.groups = 0
+        self.barred = ""
 
     def run(self) -> bool:
         """Place the object; False where nothing that was found both passes and meets the goals."""
@@ -97,7 +100,7 @@ class Reaching:
         """What spoke against it: the failure of the try that came nearest, or what was missed."""
         if self.failed:
             return str(min(self.failed, key=_badness)[1])
-        return self.missed[-1] if self.missed else f"{self.target.id}: no free place was found"
+        return self.barred or (self.missed[-1] if self.missed else "") or f"{self.target.id}: no free place was found"
 
     def action(self, position: Vec3, yaw: float, asset: Asset) -> Action:
         """What puts the object at a pose."""
@@ -218,7 +221,31 @@ class Reaching:
             holds, text = goal.check(self.work.before, after, self.target.id)
             if not holds:
                 return f"{self.target.id} would not be as asked: {text}"
-        return ""
+        return self._darkened(after) or self._unheld(after)
+
+    def _unheld(self, after: Scene) -> str:
+        """What it would be let into that takes no such thing, for a sink or hob; empty where all is well."""
+        id = self.target.id
+        if not facts_of(self.asset.category).is_in("built_in") or self.asset.mount != "surface":
+            return ""
+        on = after[id].support
+        taken = on in after and facts_of(after[on].category).is_in("takes_built_in")
+        if taken or (id in self.work.before and self.work.before[id].support == on):
+            return ""
+        self.barred = f"{id} is let into a worktop, which {'the floor' if on == 'floor' else on} has not"
+        return self.barred
+
+    def _darkened(self, after: Scene) -> str:
+        """Which window it would hang on and did not before, where nobody said so; empty where there is none."""
+        id = self.target.id
+        kept = self.asset.mount != "wall" or facts_of(self.asset.category).hanging.windows != "no"
+        if kept or any(_is_of_window(name) for goal in self.goals for name in getattr(goal, "anchors", ())):
+            return ""
+        old = covered_openings(self.work.before.room, self.work.before[id]) if id in self.work.before else ()
+        new = [opening.id for opening in covered_openings(after.room, after[id]) if opening not in old]
+        if new:
+            self.barred = f"{id} would hang on {' and '.join(new)}"
+        return self.barred if new else ""
 
     def _measured(self, proposal: Proposal) -> Verdict:
         action, world = proposal.action, self.work.world
@@ -289,6 +316,10 @@ class Reaching:
                 check_seconds=round(check_seconds, 4),
             )
         )
+
+
+def _is_of_window(name: str) -> bool:
+    return name.startswith("window")
 
 
 def ties_of(goals: Iterable[Goal]) -> tuple[Tie, ...]:

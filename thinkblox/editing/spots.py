@@ -31,6 +31,7 @@ from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, Wall, turn_between
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.windows import covered_openings
 from thinkblox.value import Vec2, Vec3
 
 Pose = tuple[Vec3, float]
@@ -45,6 +46,8 @@ LINE = 100
 """So many of these steps at most."""
 GRID = 0.2
 """Between places on the whole floor [m]."""
+OVER, AT_BACK = 0.2, 0.3
+"""How far above a thing something hangs, and how far off its wall that stands at most [m]."""
 BACK = (0.02, 0.1, 0.25)
 """Gaps to the wall of what stands before a window [m]."""
 BESIDE: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
@@ -105,8 +108,8 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     if isinstance(goal, OnWall | BySmall):
         yield from _hanging(scene, asset, goal) if isinstance(goal, OnWall) else _by_small(asset, scene[name])
         return
-    if goal.kind == "above" and asset.mount == "ceiling" and name in scene:
-        yield (*scene[name].position[:2], scene.room.height - asset.size[2]), scene[name].yaw
+    if goal.kind == "above" and asset.mount in ("ceiling", "wall") and name in scene:
+        yield from _hanging_over(scene, asset, scene[name])
         return
     if name not in scene and asset.mount == "wall" and goal.kind in ("left_of", "right_of"):
         for opening in (o for o in scene.room.openings if name in (o.id, o.kind)):
@@ -176,6 +179,26 @@ def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
                 yield pose
 
 
+def _hanging_over(scene: Scene, asset: Asset, thing: Placement) -> Iterator[Pose]:
+    """From the ceiling over a thing, or on the wall that it is at, at several heights, off its doors and windows."""
+    if asset.mount == "ceiling":
+        yield (*thing.position[:2], scene.room.height - asset.size[2]), thing.yaw
+        return
+    beyond, aside = scene.room.height - asset.size[2], thing.size[1] / 2
+    for wall in scene.room.walls:
+        along, inward = wall.coordinates(thing.position[:2])
+        if not 0.0 <= inward <= max(thing.size[:2]) / 2 + AT_BACK:
+            continue
+        lintels = [o.sill + o.height for o in scene.room.openings if scene.room.walls[o.wall].name == wall.name]
+        low = [max(thing.top + OVER, EYE - asset.size[2] / 2), thing.top + OVER, thing.top + 0.05]
+        for height in (h for h in (*low, *(top + OVER / 4 for top in lintels)) if thing.top <= h <= beyond):
+            for off in sorted(np.arange(-aside - OVER, aside + OVER, STEP), key=abs):
+                x, y = wall.point(along + float(off), BACK_GAP + asset.size[0] / 2)
+                pose: Pose = (round(x, 4), round(y, 4), round(height, 4)), wall.yaw
+                if not hides_opening(scene, asset, wall, pose):
+                    yield pose
+
+
 def _hanging_beside(scene: Scene, asset: Asset, opening: Opening, kind: str) -> Iterator[Pose]:
     """At eye height on the wall beside a door or window, the nearest first."""
     height = round(max(0.0, min(EYE - asset.size[2] / 2, scene.room.height - asset.size[2])), 4)
@@ -188,14 +211,10 @@ def _hanging_beside(scene: Scene, asset: Asset, opening: Opening, kind: str) -> 
 
 def hides_opening(scene: Scene, asset: Asset, wall: Wall, pose: Pose) -> bool:
     """Whether something that hangs at a pose on a wall covers a part of a door or window."""
-    (x, y, z), _ = pose
-    along, _ = wall.coordinates((x, y))
-    begin, end = along - asset.size[1] / 2, along + asset.size[1] / 2
-    there = (o for o in scene.room.openings if scene.room.walls[o.wall].name == wall.name)
-    return any(
-        begin < o.offset + o.width and o.offset < end and z < o.sill + o.height and o.sill < z + asset.size[2]
-        for o in there
-    )
+    position, yaw = pose
+    hung = Placement(id="hung", asset=asset.id, category=asset.category, size=asset.size,
+                     position=position, yaw=yaw, support=wall.name)  # fmt: skip
+    return bool(covered_openings(scene.room, hung))
 
 
 def _before_seat(scene: Scene, asset: Asset, table: Placement, seat: Placement) -> Iterator[Pose]:

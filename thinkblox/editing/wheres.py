@@ -25,6 +25,7 @@ from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import ON_FLOOR
 
@@ -36,6 +37,7 @@ _OPENINGS = ("window", "door")
 _SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1.0, 0.0), "west_wall": (-1.0, 0.0)}
 _TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
+_POINTED = ("that wall", "this wall", "the same wall")
 _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
 """Prepositions after which a plural means each of them."""
 SAME_LENGTH = 0.01
@@ -259,7 +261,7 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         if seated:
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
         else:
-            bounds += [Bound(kind, (anchor,)) for kind in kinds]
+            bounds += [_upon(Bound(kind, (anchor,)), category, finder) for kind in kinds]
     return bounds
 
 
@@ -533,7 +535,9 @@ def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
-    if means("nearest", noun.degree):
+    if noun.text.lower() in _POINTED and (pointed := _wall_left(finder)):
+        meaning = dataclasses.replace(meaning, anchors=(pointed,))
+    elif means("nearest", noun.degree):
         marks = things(finder.scene, "wall")
         meaning = dataclasses.replace(meaning, anchors=(_nearest_mark(finder, noun, marks),))
     elif noun.degree:
@@ -542,6 +546,15 @@ def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
     stands = noun.word == "side" or _stands(finder)
     return dataclasses.replace(meaning, kind="against_wall") if meaning.kind == "on" and stands else meaning
+
+
+def _wall_left(finder: Finder) -> str:
+    """The wall at which stood what the same instruction takes away; empty where nothing was, or it stood at none."""
+    gone = finder.vacated
+    if gone is None or finder.start is None or gone.id not in finder.start:
+        return ""
+    at = [w for w in finder.scene.room.walls if measure(finder.start, "against_wall", gone.id, (w.name,)).holds]
+    return min(at, key=lambda w: turn_between(w.yaw, gone.yaw)).name if at else ""
 
 
 def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:

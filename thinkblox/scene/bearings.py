@@ -20,11 +20,15 @@ def ground_gap(subject: Landmark, anchor: Landmark) -> float:
 
 
 def gap(subject: Landmark, anchor: Landmark) -> float:
-    """Distance between the boxes around two things, heights included; of walls and the floor it is horizontal."""
+    """Distance between the boxes around two things, heights included; of walls and the floor it is horizontal.
+
+    A door or window reaches down to the floor, where what is lower than its sill stands at it as well.
+    """
     aside = ground_gap(subject, anchor)
     if anchor.kind not in ("object", "opening"):
         return aside
-    return math.hypot(aside, max(0.0, anchor.base - subject.top, subject.base - anchor.top))
+    base = anchor.base if anchor.kind == "object" else 0.0
+    return math.hypot(aside, max(0.0, base - subject.top, subject.base - anchor.top))
 
 
 def place_of(anchor: Landmark) -> BaseGeometry:

@@ -120,7 +120,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             start = replace(start, doing="replace")
         if start.whose:
             body = _had(body, start.whose)
-        clause = _settled(_turned_about(_of_lacking(Clause(start.doing, start.change, body, text))))
+        clause = _settled(_turned_about(_given(_of_lacking(Clause(start.doing, start.change, body, text)))))
         if start.denied and start.doing in _BRINGS:
             continue
         clause, refused = _not_there(clause, refused), ()
@@ -420,6 +420,14 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _given(clause: Clause) -> Clause:
+    """The clause, where "get it a chair" says what something is to have as "give it a chair" does."""
+    words = [token.text for token in clause.tokens[:2]]
+    got = clause.doing == "move" and clause.text.lower().split()[:1] == ["get"]
+    gives = words[:1] in (["it"], ["them"]) and words[1:] in (["a"], ["an"], ["another"], ["some"])
+    return replace(clause, doing="give") if got and gives else clause
 
 
 def _laid(clause: Clause) -> Clause | None:

@@ -12,6 +12,8 @@ MOST_OF_PERSON = 6
 """Most words by which somebody is named before what they do: "the person who sits there"."""
 _NAMING = ("the", "my", "our", "a", "an", "each", "both")
 _AGAIN = ("it", "them")
+_IT = ("it", "they")
+_OWN = ("my", "our", "your", "some", "their", "his", "her")
 _FROM_IT = ("it", "them", "there", "here")
 _PARTING = (",", "and", "then", "but")
 
@@ -20,7 +22,8 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
     """The tokens without what an order is for, or why it is given.
 
     "So that I can see the door (from it)" is "so that it faces the door", "so that I can sit at the window" is "at the
-    window"; "so that I can read there", "so that four kids can draw" and "because it is dark there" ask for nothing.
+    window"; "so that I can read there", "so that four kids can draw", "because it is dark there", ", it needs light",
+    "for my tea" and "for reading" ask for nothing.
     What people are to get to, or through, is left as it is: that asks for space.
     """
     left = _untold(_views_first(_without_told_reason(without_given(tokens))))
@@ -31,7 +34,34 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
             left = _without_reason(left, at)
         elif left[at].text == "so":
             left = _without_purpose(left, at)
+        elif left[at].text in _IT:
+            left = _without_need(left, at)
+        elif left[at].text == "for" and at:
+            left = _without_use(left, at)
     return left
+
+
+def _without_need(tokens: list[Token], at: int) -> list[Token]:
+    """Without "(move the plant to the window,) it needs light"."""
+    needs = longest("needing", tokens, at + 1)
+    needed = longest("needed", tokens, at + 1 + needs[1]) if needs is not None else None
+    if needs is None or needed is None or not at or not (_begins(tokens, at) or tokens[at - 1].text in _PARTING):
+        return tokens
+    end = at + 1 + needs[1] + needed[1]
+    ends = end == len(tokens) or tokens[end].text in (*ENDS, *_PARTING)
+    return _cut(tokens, at, end) if ends else tokens
+
+
+def _without_use(tokens: list[Token], at: int) -> list[Token]:
+    """Without "for reading (in the evening)", "for my tea", where nothing follows that this could be a part of."""
+    used = longest("uses", tokens, at + 1 + (at + 1 < len(tokens) and tokens[at + 1].text in _OWN))
+    if used is None:
+        return tokens
+    end = at + 1 + (tokens[at + 1].text in _OWN) + used[1]
+    more = longest("when", tokens, end)
+    end += more[1] if more is not None else 0
+    goes_on = end < len(tokens) and tokens[end].kind == "word" and tokens[end].text not in _PARTING
+    return tokens if goes_on and grammar().at(tokens, end, "prepositions") is None else _cut(tokens, at, end)
 
 
 def _without_reason(tokens: list[Token], at: int) -> list[Token]:
@@ -69,6 +99,8 @@ def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
     if (sits := longest("sitting", tokens, done)) is not None and _placed(tokens, done + sits[1]):
         return [*tokens[:at], *tokens[done + sits[1] :]]
     needs_way = any(means("getting", token.text) for token in tokens[done:end])
+    if [token.text for token in tokens[done:end]] in (["reach", again] for again in _AGAIN):
+        return _cut(tokens, at, end)
     return tokens if able is None or needs_way else _cut(tokens, at, end)
 
 

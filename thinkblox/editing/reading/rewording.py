@@ -67,11 +67,23 @@ def in_between(tokens: Sequence[Token]) -> list[Token]:
     return left
 
 
+_ASIDE = ("behind", "in_front_of", "left_of", "right_of", "next_to", "under", "above")
+"""Where something is to be that goes along with another thing."""
+
+
 def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it"."""
+    """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it".
+
+    So is "(add an armchair) with a lamp behind it", whatever it goes with; what is on something new is read with that.
+    """
     left = list(tokens)
     for at in reversed(range(2, len(tokens) - 3)):
         if tokens[at].text != "with" or tokens[at + 1].text not in ("a", "an"):
+            continue
+        comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
+        added = [comma, replace(add, shown=tokens[at].shown)]
+        if _is_beside_it(tokens, at):
+            left[at : at + 1] = added
             continue
         end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
         end = min(at + MOST_NAMED, len(tokens)) if end is None else end
@@ -80,9 +92,27 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         verbs = [(n, longest("verbs", tokens, n)) for n in range(begin, at)]
         after = [tokens[n + found[1]].text for n, found in verbs if found is not None and found[0] in ("put", "move")]
         if on_it and any(word in ("the", "my", "both", "it", "them") for word in after):
-            comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
-            left[at : at + 1] = [comma, replace(add, shown=tokens[at].shown)]
+            left[at : at + 1] = added
     return left
+
+
+def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a phrase with something new says at which side of "it" that is to be: "with a lamp behind it".
+
+    What it goes with has a place of its own before that: of "put a stool with a pillow beside it" that is the stool's.
+    """
+    begin = next((n for n in range(at - 1, -1, -1) if longest("verbs", tokens, n) is not None), 0)
+    if not any(grammar().at(tokens, n, "prepositions") is not None for n in range(begin, at)):
+        return False
+    for n in range(at + 2, min(at + MOST_NAMED, len(tokens) - 1)):
+        found = grammar().at(tokens, n, "prepositions")
+        if tokens[n].kind == "mark" or (found is not None and found.value not in _ASIDE):
+            return False
+        if found is not None:
+            after = n + found.length
+            ends = after + 1 == len(tokens) or tokens[after + 1 : after + 2][0].kind == "mark"
+            return after < len(tokens) and tokens[after].text == "it" and ends
+    return False
 
 
 def in_its_place(tokens: Sequence[Token]) -> list[Token]:
