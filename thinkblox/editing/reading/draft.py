@@ -26,7 +26,7 @@ TO_WALL = ("put", "move", "turn")
 
 
 @dataclass
-class Draft:
+class OrderDraft:
     """An order while it is read.
 
     Attributes:

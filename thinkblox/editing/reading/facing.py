@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.editing.reading.cutting import Item, OrderMark
-from thinkblox.editing.reading.draft import ASIDE, TO_WALL, Draft
+from thinkblox.editing.reading.draft import ASIDE, TO_WALL, OrderDraft
 from thinkblox.editing.reading.phrasing import merged
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Where
@@ -18,12 +18,12 @@ def is_back(item: Item | None) -> bool:
     return named and isinstance(item, Noun) and item.kind in ("part", "thing")
 
 
-def is_head(draft: Draft, noun: Noun) -> bool:
+def is_head(draft: OrderDraft, noun: Noun) -> bool:
     """Whether it is the head or the back of what is turned: "so that the head is at the wall"."""
     return draft.mode == "so" and draft.order.doing == "turn" and noun.det == "the" and noun.value in ("back", "head")
 
 
-def read_behind(draft: Draft) -> Where | None:
+def read_behind(draft: OrderDraft) -> Where | None:
     """Read "(its back) is to the window", "against the wall"."""
     at = draft.at
     verb = draft.items[at] if at < len(draft.items) else None
@@ -35,7 +35,7 @@ def read_behind(draft: Draft) -> Where | None:
     return Where(link.value, merged(draft, noun), text=link.text.lower().removeprefix("up ").removeprefix("right "))
 
 
-def read_facing(draft: Draft) -> None:
+def read_facing(draft: OrderDraft) -> None:
     """Read "to face the room", "so that it faces the door", "(the wardrobe,) not at the bed"."""
     following = draft.ahead()
     if draft.negated and draft.order.things and isinstance(following, Noun):
@@ -56,14 +56,14 @@ def read_facing(draft: Draft) -> None:
         draft.anchors = draft.order.facing[-1:]
 
 
-def take_not_faced(draft: Draft, noun: Noun) -> None:
+def take_not_faced(draft: OrderDraft, noun: Noun) -> None:
     """Take "(so that it faces the wardrobe,) not the bed" as what it is not to face."""
     draft.negated = False
     for phrase in draft.order.things:
         phrase.places.append(Where("facing", merged(draft, noun), negated=True, text="not facing"))
 
 
-def _sided(draft: Draft, noun: Noun) -> Noun:
+def _sided(draft: OrderDraft, noun: Noun) -> Noun:
     """Take "(towards) the chair on the right" as the right one."""
     link, side = (draft.ahead(), draft.ahead(1))
     on = isinstance(link, Connector) and link.value == "on"
@@ -75,7 +75,7 @@ def _sided(draft: Draft, noun: Noun) -> Noun:
     return replace(noun, side=side.value)
 
 
-def takes_compass(draft: Draft, following: Item | None) -> bool:
+def takes_compass(draft: OrderDraft, following: Item | None) -> bool:
     """Take "(facing) north" as the wall that is there; whether it is that."""
     if not isinstance(following, OrderMark) or following.key not in COMPASS:
         return False
@@ -84,7 +84,7 @@ def takes_compass(draft: Draft, following: Item | None) -> bool:
     return True
 
 
-def takes_with_side(draft: Draft, said: Noun) -> bool:
+def takes_with_side(draft: OrderDraft, said: Noun) -> bool:
     """Take "with its long side along the west wall"; whether it was that."""
     link, wall = (draft.ahead(1), draft.ahead(2))
     if said.kind != "part" or not isinstance(link, Connector) or not isinstance(wall, Noun):
@@ -95,7 +95,7 @@ def takes_with_side(draft: Draft, said: Noun) -> bool:
     return True
 
 
-def takes_lengthwise(draft: Draft, said: Noun, where: Where) -> bool:
+def takes_lengthwise(draft: OrderDraft, said: Noun, where: Where) -> bool:
     """Take "(so that) its long side is along the west wall" as how it comes to stand there; whether it was that."""
     order, wall = draft.order, where.noun
     at_wall = wall is not None and wall.kind == "place" and "wall" in wall.value and where.word in (*_AT_BACK, "along")

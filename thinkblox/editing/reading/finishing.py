@@ -2,7 +2,7 @@
 
 from thinkblox.editing.heeding import SAID
 from thinkblox.editing.orders import NounPhrase
-from thinkblox.editing.reading.draft import Draft, are_several
+from thinkblox.editing.reading.draft import OrderDraft, are_several
 from thinkblox.editing.reading.sharing_out import comes_along
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -10,7 +10,7 @@ from thinkblox.reading.english.nodes import Where
 _LESS = ("smaller", "shorter", "narrower", "lower")
 
 
-def finish(draft: Draft) -> None:
+def finish(draft: OrderDraft) -> None:
     """Settle what only the whole order tells."""
     order = draft.order
     order.slight &= not order.lengths
@@ -42,7 +42,7 @@ def finish(draft: Draft) -> None:
     _looked(draft)
 
 
-def _along(draft: Draft) -> None:
+def _along(draft: OrderDraft) -> None:
     """Read "take the chair along" as what goes with that which was moved before it."""
     order = draft.order
     if order.doing == "move" and order.things and order.lost == ["along"] and not draft.places():
@@ -50,7 +50,7 @@ def _along(draft: Draft) -> None:
         order.things[-1].places.append(Where("with", Noun("pronoun", "it", 0, 0, "it"), text="along"))
 
 
-def _nearer_one(draft: Draft) -> None:
+def _nearer_one(draft: OrderDraft) -> None:
     """Read "(remove) the lamp closer to the door" as the one of several that is so."""
     order = draft.order
     for nearer, phrase in order.closer if order.doing in ("remove", "replace") and order.things else ():
@@ -59,14 +59,14 @@ def _nearer_one(draft: Draft) -> None:
     order.closer = [] if order.doing in ("remove", "replace") and order.things else order.closer
 
 
-def _beside_one(draft: Draft) -> None:
+def _beside_one(draft: OrderDraft) -> None:
     """Read "(next to the desk) so that they stand side by side" as how one thing comes to stand beside another."""
     order, beside = draft.order, [w for w in draft.places() if w.word == "next_to" and not w.negated]
     if order.mutual == "next_to" and order.abreast and len(order.things) == 1 and beside:
         order.mutual = ""
 
 
-def _by_verb(draft: Draft) -> None:
+def _by_verb(draft: OrderDraft) -> None:
     """What a verb says of the place: "centre the table" in the room, and "stack the books" is not followed."""
     order = draft.order
     order.centred |= draft.centring and order.doing in ("move", "put")
@@ -77,7 +77,7 @@ def _by_verb(draft: Draft) -> None:
         order.lost.append(order.text.split(" ", 1)[0].lower())
 
 
-def _closer_around(draft: Draft) -> None:
+def _closer_around(draft: OrderDraft) -> None:
     """Read "closer around the table" as closer to it."""
     around = next((w for w in draft.places() if w.word == "around" and w.noun is not None), None)
     if not draft.pending or around is None or around.noun is None:
@@ -88,7 +88,7 @@ def _closer_around(draft: Draft) -> None:
     draft.pending = None
 
 
-def _looked(draft: Draft) -> None:
+def _looked(draft: OrderDraft) -> None:
     """Tell a wish about looks, and what is to face something, from an order to move."""
     order = draft.order
     if order.doing == "put" and order.things and _is_about_looks(draft):
@@ -111,14 +111,14 @@ def _looked(draft: Draft) -> None:
         order.doing = "turn"
 
 
-def _is_other_count(draft: Draft) -> bool:
+def _is_other_count(draft: OrderDraft) -> bool:
     """Whether it is said how many there are to be: "make it three chairs"."""
     phrases = [phrase.noun for phrase in draft.order.things]
     pointed = len(phrases) == 2 and phrases[0].kind == "pronoun" and phrases[0].value in ("it", "them", "that")
     return pointed and phrases[1].kind == "thing" and bool(phrases[1].count) and not phrases[1].definite
 
 
-def _spaced(draft: Draft) -> None:
+def _spaced(draft: OrderDraft) -> None:
     """Read what is said of the space between things, or of more space at one of them."""
     order = draft.order
     about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
@@ -140,13 +140,13 @@ def _spaced(draft: Draft) -> None:
         order.doing = "free"
 
 
-def _is_had_by_each(draft: Draft) -> bool:
+def _is_had_by_each(draft: OrderDraft) -> bool:
     """Whether it is said how many each of several has: "every table should have four chairs"."""
     counted = any((phrase.noun.count or 1) > 1 for phrase in draft.order.things)
     return draft.had and counted and any(w.noun is not None and w.noun.each for w in draft.places())
 
 
-def _only_looks(draft: Draft) -> bool:
+def _only_looks(draft: OrderDraft) -> bool:
     """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
     order = draft.order
     said = any(getattr(order, field) for field in SAID if field not in ("facing", "backs", "company", "rest", "spared"))
@@ -156,7 +156,7 @@ def _only_looks(draft: Draft) -> bool:
     return bool((order.facing or order.backs) and order.things) and known and not placed and not said
 
 
-def _is_about_looks(draft: Draft) -> bool:
+def _is_about_looks(draft: OrderDraft) -> bool:
     """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
     order = draft.order
     placed = order.places or order.closer or order.direction or order.facing or any(p.places for p in order.things)

@@ -3,7 +3,7 @@
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reading.cutting import Item, OrderMark
-from thinkblox.editing.reading.draft import BEING, OF_THOSE, SPOT, Draft
+from thinkblox.editing.reading.draft import BEING, OF_THOSE, SPOT, OrderDraft
 from thinkblox.editing.reading.facing import is_back, read_facing, takes_compass, takes_with_side
 from thinkblox.editing.reading.going_along import takes_all_on_it
 from thinkblox.editing.reading.locating import read_spot, read_where
@@ -22,7 +22,7 @@ _OF_TWO = {"face to face": "face_to_face", "back to back": "back_to_back"}
 """How two things stand that are brought together so."""
 
 
-def read_connector(draft: Draft, link: Connector) -> None:
+def read_connector(draft: OrderDraft, link: Connector) -> None:
     """Take a word between nouns."""
     match link.sort:
         case "prepositions":
@@ -47,7 +47,7 @@ def read_connector(draft: Draft, link: Connector) -> None:
             draft.lose(link)
 
 
-def _verb(draft: Draft, link: Connector) -> None:
+def _verb(draft: OrderDraft, link: Connector) -> None:
     if link.value == "face":
         read_facing(draft)
     elif draft.mode == "so" and _is_free_next(draft):
@@ -56,14 +56,14 @@ def _verb(draft: Draft, link: Connector) -> None:
         raise InputError(f"'{draft.order.text}': '{link.text}' begins another order; give each as a sentence")
 
 
-def _is_other_order(draft: Draft, link: Connector) -> bool:
+def _is_other_order(draft: OrderDraft, link: Connector) -> bool:
     """Whether a verb behind "and" would begin an order of another kind: "remove this and stand that there"."""
     before = draft.before()
     joined = isinstance(before, Connector) and before.text.lower() in ("and", "then")
     return joined and draft.order.doing in OF_THOSE and means("verbs", link.text.lower()) == "put"
 
 
-def _join(draft: Draft, link: Connector) -> None:
+def _join(draft: OrderDraft, link: Connector) -> None:
     """Read "all of the chairs but one"; "or" and reasons are not followed."""
     if link.value != "but":
         draft.lose(link)
@@ -71,7 +71,7 @@ def _join(draft: Draft, link: Connector) -> None:
         place(draft, Where("except", merged(draft, noun), text=link.text))
 
 
-def _is_exception(draft: Draft) -> bool:
+def _is_exception(draft: OrderDraft) -> bool:
     noun = draft.ahead()
     said = draft.order.things[-1].noun if draft.order.things else None
     if said is None and draft.order.rest:
@@ -81,7 +81,7 @@ def _is_exception(draft: Draft) -> bool:
     return every and counted and draft.mode in ("things", "instead")
 
 
-def _mutual(draft: Draft, link: Connector) -> None:
+def _mutual(draft: OrderDraft, link: Connector) -> None:
     """Read "so that they face each other", "next to each other", or not so."""
     things = draft.order.things
     if draft.negated:
@@ -103,7 +103,7 @@ def _mutual(draft: Draft, link: Connector) -> None:
         draft.lose(link)
 
 
-def _of_two(draft: Draft, mutual: str, link: Connector) -> None:
+def _of_two(draft: OrderDraft, mutual: str, link: Connector) -> None:
     """Read "face to face", "back to back" of two things that are moved; such things are not turned alone.
 
     Raises:
@@ -116,14 +116,14 @@ def _of_two(draft: Draft, mutual: str, link: Connector) -> None:
     draft.order.mutual = mutual
 
 
-def _is_free_next(draft: Draft) -> bool:
+def _is_free_next(draft: OrderDraft) -> bool:
     item = draft.ahead()
     free = isinstance(item, Connector | Noun) and bool(means("clear", item.text.lower()))
     draft.at += free
     return free
 
 
-def _preposition(draft: Draft, link: Connector) -> None:
+def _preposition(draft: OrderDraft, link: Connector) -> None:
     order, following = draft.order, draft.ahead()
     if not isinstance(following, Noun):
         _without_noun(draft, link, following)
@@ -148,20 +148,20 @@ def _preposition(draft: Draft, link: Connector) -> None:
         place(draft, read_where(draft, link))
 
 
-def _with_own(draft: Draft, link: Connector, following: Noun) -> bool:
+def _with_own(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Take "with its back (to it)", "with its long side along it", "with everything on it"; whether it was that."""
     if link.value == "with" and takes_with_side(draft, following):
         return True
     return (link.value in ("with", "so") and is_back(following)) or takes_all_on_it(draft, link, following)
 
 
-def _faces_later(draft: Draft) -> bool:
+def _faces_later(draft: OrderDraft) -> bool:
     """Whether what things are to face is still to come: "turn the chairs at the table towards the door"."""
     later = draft.items[draft.at :]
     return any(isinstance(item, Connector) and item.text.lower() in _TOWARDS for item in later)
 
 
-def _becomes(draft: Draft, link: Connector, following: Noun) -> bool:
+def _becomes(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Read "into a reading corner"; "in the room" says nothing."""
     order = draft.order
     into = link.text.lower() == "into" and order.doing in ("turn", "make")
@@ -182,7 +182,7 @@ def _becomes(draft: Draft, link: Connector, following: Noun) -> bool:
     return link.value in ("in", "of", "from", "to", "around")
 
 
-def _is_purpose(draft: Draft, link: Connector, following: Noun) -> bool:
+def _is_purpose(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Whether words say what for: "make room for a wheelchair", "a chair for the teacher", "a shelf for toys"."""
     if link.value != "for":
         return False
@@ -198,7 +198,7 @@ def _is_purpose(draft: Draft, link: Connector, following: Noun) -> bool:
     return following.kind == "people" or draft.order.doing in ("free", "gap")
 
 
-def _without_noun(draft: Draft, link: Connector, following: Item | None) -> None:
+def _without_noun(draft: OrderDraft, link: Connector, following: Item | None) -> None:
     """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
     order, text = draft.order, link.text.lower()
     if isinstance(following, Connector) and following.text.lower() in SPOT:
@@ -217,13 +217,13 @@ def _without_noun(draft: Draft, link: Connector, following: Item | None) -> None
         draft.lose(link)
 
 
-def _narrowed(draft: Draft) -> None:
+def _narrowed(draft: OrderDraft) -> None:
     """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
     if draft.mode == "instead" and draft.only:
         draft.mode, draft.only = "things", False
 
 
-def _comes_instead(draft: Draft, link: Connector, following: Noun) -> bool:
+def _comes_instead(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Whether what follows comes in place of the thing: "replace A with a B", "swap A for a B"."""
     order = draft.order
     if following.kind not in ("thing", "number") or not order.things:

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import cast
 
 from thinkblox.editing.reading.cutting import Item
-from thinkblox.editing.reading.draft import ASIDE, BEING, IN_ROW, SIDED, SPOT, Draft
+from thinkblox.editing.reading.draft import ASIDE, BEING, IN_ROW, SIDED, SPOT, OrderDraft
 from thinkblox.editing.reading.phrasing import merged
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Where
@@ -13,7 +13,7 @@ _OF_WALL = ("opposite", "behind", "facing")
 _ACROSS = ("opposite", "far", "facing")
 
 
-def read_spot(draft: Draft) -> Noun | None:
+def read_spot(draft: OrderDraft) -> Noun | None:
     """Read "(where) the bookcase stands"; None where something else follows."""
     noun, verb = (draft.ahead(), draft.ahead(1))
     told = isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.value in (*BEING, "stand")
@@ -23,7 +23,7 @@ def read_spot(draft: Draft) -> Noun | None:
     return merged(draft, noun) if noun.kind == "thing" else noun
 
 
-def read_where(draft: Draft, link: Connector) -> Where:
+def read_where(draft: OrderDraft, link: Connector) -> Where:
     """Read the place that a preposition begins."""
     word = "from" if link.text.lower() == "out of" else link.value
     where = Where(word, None, negated=draft.negated, text=link.text)
@@ -49,7 +49,7 @@ def read_where(draft: Draft, link: Connector) -> Where:
     return with_corner(draft, where)
 
 
-def _one_of_several(draft: Draft, noun: Noun) -> Noun:
+def _one_of_several(draft: OrderDraft, noun: Noun) -> Noun:
     """Read "(a lamp on each nightstand and a book on) the one on the left" as one of those named before."""
     several = draft.former[-1] if draft.former else None
     one = noun.kind == "number" and noun.text.lower() in ("the one", "the ones")
@@ -65,7 +65,7 @@ def _one_of_several(draft: Draft, noun: Noun) -> Noun:
     return one_of
 
 
-def _is_other_part(draft: Draft, noun: Noun | None) -> bool:
+def _is_other_part(draft: OrderDraft, noun: Noun | None) -> bool:
     """Whether it is a part of what another thing goes to a part of: "to the left end of it, the lamp to the right".
 
     What is said of one thing alone is a part of the room.
@@ -74,13 +74,13 @@ def _is_other_part(draft: Draft, noun: Noun | None) -> bool:
     return part and draft.whole is not None and len(draft.order.things) > 1
 
 
-def _is_side_of_it(draft: Draft, noun: Noun | None) -> bool:
+def _is_side_of_it(draft: OrderDraft, noun: Noun | None) -> bool:
     """Whether an order to add names sides or ends, and not of what: "add two chairs at the ends"."""
     sided = noun is not None and noun.kind == "part" and noun.value in SIDED and not noun.owner
     return sided and draft.order.doing in ("add", "put") and noun is not None and (noun.plural or noun.each)
 
 
-def with_corner(draft: Draft, where: Where) -> Where:
+def with_corner(draft: OrderDraft, where: Where) -> Where:
     """Read "the corner by the window", "the corner opposite the door" as one place."""
     noun, link = where.noun, draft.ahead()
     beside = draft.ahead(1)
@@ -114,7 +114,7 @@ def with_corner(draft: Draft, where: Where) -> Where:
     return where
 
 
-def _told_by(draft: Draft, where: Where, noun: Noun, link: Item | None, beside: Item | None) -> bool:
+def _told_by(draft: OrderDraft, where: Where, noun: Noun, link: Item | None, beside: Item | None) -> bool:
     """Read "the corner where the plant is", "the wall with the window"; whether it was that."""
     if isinstance(link, Connector) and link.text.lower() in SPOT:
         draft.at += 1
@@ -138,7 +138,7 @@ def _is_wall_of(wall: Noun, link: Item | None, item: Item | None) -> bool:
     return opening or (item.kind == "thing" and item.definite)
 
 
-def _is_and(draft: Draft) -> bool:
+def _is_and(draft: OrderDraft) -> bool:
     item = draft.ahead()
     after = draft.ahead(1)
     return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)

@@ -1,11 +1,11 @@
 """How a thing is to look, or that a place is to be free."""
 
 from thinkblox.editing.grammar import means
-from thinkblox.editing.reading.draft import Draft
+from thinkblox.editing.reading.draft import OrderDraft
 from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 
 
-def read_adjective(draft: Draft, said: Adjective) -> None:
+def read_adjective(draft: OrderDraft, said: Adjective) -> None:
     """Take an adjective that stands alone."""
     order, free = draft.order, bool(means("clear", said.text.lower()))
     spot = draft.places()[-1].noun if draft.places() else None
@@ -34,7 +34,7 @@ def read_adjective(draft: Draft, said: Adjective) -> None:
         draft.lose(said)
 
 
-def pass_look(draft: Draft, noun: Noun) -> None:
+def pass_look(draft: OrderDraft, noun: Noun) -> None:
     """Go past "the colour of" in "change the colour of the sofa to blue", "the width of" in "to 2 m"."""
     axis = means("looks", noun.word)
     draft.order.change = f"{axis}=" if axis != "words" else draft.order.change

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.editing.reading.cutting import OrderMark
-from thinkblox.editing.reading.draft import IN_ROW, Draft
+from thinkblox.editing.reading.draft import IN_ROW, OrderDraft
 from thinkblox.editing.reading.looks import read_adjective
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.reading.english.chunks import Adjective, Noun
@@ -11,7 +11,7 @@ from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.sizes import Length, Size
 
 
-def read_mark(draft: Draft, mark: OrderMark) -> None:
+def read_mark(draft: OrderDraft, mark: OrderMark) -> None:
     """Take a phrase of the instructions' own grammar."""
     order = draft.order
     match mark.sort:
@@ -37,7 +37,7 @@ def read_mark(draft: Draft, mark: OrderMark) -> None:
             _marker(draft, mark.key)
 
 
-def _change(draft: Draft, mark: OrderMark) -> None:
+def _change(draft: OrderDraft, mark: OrderMark) -> None:
     """Take how the size of a thing changes; of two ways the first is lost."""
     order = draft.order
     if draft.negated:
@@ -50,7 +50,7 @@ def _change(draft: Draft, mark: OrderMark) -> None:
     order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
 
 
-def _how(draft: Draft, mark: OrderMark) -> None:
+def _how(draft: OrderDraft, mark: OrderMark) -> None:
     order = draft.order
     order.slight |= mark.sort == "few"
     order.seated = mark.key if mark.sort == "seated" else order.seated
@@ -58,7 +58,7 @@ def _how(draft: Draft, mark: OrderMark) -> None:
         _flank(draft, mark.key)
 
 
-def _flank(draft: Draft, side: str) -> None:
+def _flank(draft: OrderDraft, side: str) -> None:
     """Read "next to the laptop, on its left"; where nothing was named but the thing itself, it is a direction."""
     anchors = draft.anchors or ([] if draft.places_of_last() else _named_before(draft))
     if anchors and draft.order.things:
@@ -70,14 +70,14 @@ def _flank(draft: Draft, side: str) -> None:
         draft.order.direction = draft.order.direction or side
 
 
-def _named_before(draft: Draft) -> list[Noun]:
+def _named_before(draft: OrderDraft) -> list[Noun]:
     """What was named with the thing before the last, or that thing itself: a wall has no sides."""
     named = [noun for noun in draft.former if noun.kind == "thing"]
     before = draft.order.things[-2:-1]
     return named or ([before[0].noun] if draft.former and before else [])
 
 
-def _row(draft: Draft, number: int) -> None:
+def _row(draft: OrderDraft, number: int) -> None:
     """Read "in the front row" of what was named last."""
     phrase = draft.excepted or (draft.order.things[-1] if draft.order.things else None)
     last = phrase.places[-1] if phrase is not None and phrase.places else None
@@ -98,7 +98,7 @@ def _row(draft: Draft, number: int) -> None:
         phrase.noun = replace(phrase.noun, rows=1, ordinal=number, side=side or phrase.noun.side)
 
 
-def _length(draft: Draft, mark: OrderMark) -> None:
+def _length(draft: OrderDraft, mark: OrderMark) -> None:
     order, new = draft.order, draft.sized()
     if new is not None and order.doing != "replace" and all(axis for _, axis in mark.lengths):
         new.size = Size(tuple(Length(metres, axis, "m") for metres, axis in mark.lengths), order.text)
@@ -111,7 +111,7 @@ def _length(draft: Draft, mark: OrderMark) -> None:
     draft.distance = len(mark.lengths) == 1 and not mark.lengths[0][1]
 
 
-def _marker(draft: Draft, key: str) -> None:
+def _marker(draft: OrderDraft, key: str) -> None:
     order = draft.order
     match key:
         case "nearer" | "farther":
@@ -132,7 +132,7 @@ def _marker(draft: Draft, key: str) -> None:
             pass
 
 
-def _round(draft: Draft) -> None:
+def _round(draft: OrderDraft) -> None:
     """Read "turn it round", "make the table round"."""
     order = draft.order
     if order.doing == "turn" and order.turn is None:

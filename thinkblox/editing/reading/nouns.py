@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.editing.grammar import is_filler, means
 from thinkblox.editing.orders import AWAY_SIDE, BEARS, BORE, SAME, NounPhrase
 from thinkblox.editing.reading.cutting import Item, OrderMark
-from thinkblox.editing.reading.draft import OF_THOSE, TO_WALL, WITH_ALONG, Draft, is_it, is_theirs
+from thinkblox.editing.reading.draft import OF_THOSE, TO_WALL, WITH_ALONG, OrderDraft, is_it, is_theirs
 from thinkblox.editing.reading.facing import is_back, is_head, read_behind, take_not_faced
 from thinkblox.editing.reading.going_along import as_theirs, is_theirs_too
 from thinkblox.editing.reading.locating import with_corner
@@ -38,7 +38,7 @@ _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
 
 
-def read_noun(draft: Draft, noun: Noun) -> None:
+def read_noun(draft: OrderDraft, noun: Noun) -> None:
     """Take a noun."""
     order = draft.order
     if noun.kind == "thing" and noun.value == "enough":
@@ -70,7 +70,7 @@ def read_noun(draft: Draft, noun: Noun) -> None:
         _thing(draft, phrase)
 
 
-def _is_apposition(draft: Draft, noun: Noun) -> bool:
+def _is_apposition(draft: OrderDraft, noun: Noun) -> bool:
     """Whether it says of what was just named which of them that are: "two of the desks, the ones by the door"."""
     before = draft.before()
     following = draft.ahead()
@@ -82,7 +82,7 @@ def _is_apposition(draft: Draft, noun: Noun) -> bool:
     return bare and told and paused and known and last is not None and not last.places
 
 
-def _told_by_rider(draft: Draft, noun: Noun) -> bool:
+def _told_by_rider(draft: OrderDraft, noun: Noun) -> bool:
     """Take "(the table) the printer was standing on", "it stands on", by which that is told; whether it was so.
 
     Raises:
@@ -122,14 +122,14 @@ def _told_by_rider(draft: Draft, noun: Noun) -> bool:
     return False
 
 
-def _owner_of(draft: Draft, noun: Noun) -> list[Where] | None:
+def _owner_of(draft: OrderDraft, noun: Noun) -> list[Where] | None:
     """The places of the phrase that a noun is the head of; None where it is none."""
     held = [p.places for p in draft.order.things if p.noun is noun or p.noun.text == noun.text]
     held += [p.places for p in draft.order.things if p.places and p.places[-1].noun is noun]
     return held[0] if held else None
 
 
-def _in_mode(draft: Draft, phrase: NounPhrase) -> bool:
+def _in_mode(draft: OrderDraft, phrase: NounPhrase) -> bool:
     """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
     order, noun = draft.order, phrase.noun
     if (is_back(noun) or is_head(draft, noun)) and (behind := read_behind(draft)) is not None:
@@ -152,7 +152,7 @@ def _in_mode(draft: Draft, phrase: NounPhrase) -> bool:
     return True
 
 
-def _is_of_room(draft: Draft, noun: Noun) -> bool:
+def _is_of_room(draft: OrderDraft, noun: Noun) -> bool:
     """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
     order, part = draft.order, noun.kind in ("place", "part")
     about = _about(draft, noun)
@@ -182,7 +182,7 @@ def _is_of_room(draft: Draft, noun: Noun) -> bool:
     return True
 
 
-def _about(draft: Draft, noun: Noun) -> Noun | None:
+def _about(draft: OrderDraft, noun: Noun) -> Noun | None:
     """The thing of which a phrase names the surroundings: "the sofa area"; None where it names none.
 
     Raises:
@@ -200,7 +200,7 @@ def _about(draft: Draft, noun: Noun) -> Noun | None:
     return replace(found[0], det="the")
 
 
-def _thing(draft: Draft, phrase: NounPhrase) -> None:
+def _thing(draft: OrderDraft, phrase: NounPhrase) -> None:
     order, noun = draft.order, phrase.noun
     everything = noun.kind == "abstract" and noun.text.lower() == "anything" and order.doing == "keep"
     if everything or (noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL):
@@ -227,7 +227,7 @@ def _thing(draft: Draft, phrase: NounPhrase) -> None:
         draft.lose(noun)
 
 
-def _is_within(draft: Draft, noun: Noun) -> bool:
+def _is_within(draft: OrderDraft, noun: Noun) -> bool:
     """Whether a noun is that of which something is to be within a length."""
     order, before = draft.order, draft.before()
     measured = isinstance(before, OrderMark) and before.sort == "lengths" and order.bound == "le"
@@ -235,7 +235,7 @@ def _is_within(draft: Draft, noun: Noun) -> bool:
     return measured and known and draft.distance and order.doing in ("move", "put", "add")
 
 
-def _at_another(draft: Draft, phrase: NounPhrase) -> NounPhrase:
+def _at_another(draft: OrderDraft, phrase: NounPhrase) -> NounPhrase:
     """Read "the monitors on desk 2 and desk 3" as those on either, where both are of one kind."""
     last = draft.order.things[-1] if draft.order.things else None
     before = draft.before()
@@ -249,7 +249,7 @@ def _at_another(draft: Draft, phrase: NounPhrase) -> NounPhrase:
     return replace(last, noun=replace(last.noun), places=[*last.places[:-1], replace(where, noun=noun)], spared=[])
 
 
-def _is_space(draft: Draft, noun: Noun) -> bool:
+def _is_space(draft: OrderDraft, noun: Noun) -> bool:
     """Whether a noun is the room between or before things: "the gap between", "the area in front of"."""
     following = draft.ahead()
     located = isinstance(following, Connector) and following.sort == "prepositions"
@@ -267,11 +267,11 @@ def _is_space(draft: Draft, noun: Noun) -> bool:
     )
 
 
-def _is_free_noun(draft: Draft, following: Item | None) -> bool:
+def _is_free_noun(draft: OrderDraft, following: Item | None) -> bool:
     return draft.order.space and following is None
 
 
-def _compared(draft: Draft, phrase: NounPhrase) -> None:
+def _compared(draft: OrderDraft, phrase: NounPhrase) -> None:
     """Read what a thing comes nearer to; "opposite the piano and 2 m away from it" is how far it is to be."""
     if _is_side_towards(draft, phrase.noun):
         return
@@ -288,7 +288,7 @@ def _compared(draft: Draft, phrase: NounPhrase) -> None:
     draft.pending = None
 
 
-def _is_side_towards(draft: Draft, noun: Noun) -> bool:
+def _is_side_towards(draft: OrderDraft, noun: Noun) -> bool:
     """Take "(next to the fridge,) on the side away from the stove" as one of its sides; whether it was that."""
     places = draft.order.things[-1].places if draft.order.things else []
     side, anchors = places[-1] if places else None, [n for n in draft.anchors if n.kind == "thing"]
@@ -301,7 +301,7 @@ def _is_side_towards(draft: Draft, noun: Noun) -> bool:
     return True
 
 
-def _is_address(draft: Draft, noun: Noun) -> bool:
+def _is_address(draft: OrderDraft, noun: Noun) -> bool:
     """Whether a noun speaks to somebody: "please, my dear"; one that nobody knows after a comma is lost alone."""
     if is_filler(noun.text):
         return True

@@ -9,7 +9,7 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import Doing, Order
 from thinkblox.editing.reading.clauses import Clause
 from thinkblox.editing.reading.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.reading.draft import Draft
+from thinkblox.editing.reading.draft import OrderDraft
 from thinkblox.editing.reading.finishing import finish
 from thinkblox.editing.reading.links import read_connector
 from thinkblox.editing.reading.looks import read_adjective
@@ -56,7 +56,7 @@ def read_order(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds
     return draft.order
 
 
-def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str]) -> Draft:
+def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str]) -> OrderDraft:
     """An order of which only the verb is read."""
     words = clause.text.lower().split()
     verb = next((word for word in words if means("drawing", word)), words[0])
@@ -71,7 +71,7 @@ def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Co
     drawn = clause.doing == "move" and bool(means("drawing", verb)) and clause.tokens[:1]
     order.seated = means("drawn", clause.tokens[0].text) if drawn else ""
     tokens = clause.tokens[1:] if order.seated else clause.tokens
-    return Draft(
+    return OrderDraft(
         order,
         [_of_kind(item, kinds) for item in cutter.items(tokens)],
         lexicon,

@@ -5,7 +5,7 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.orders import NounPhrase
-from thinkblox.editing.reading.draft import Draft
+from thinkblox.editing.reading.draft import OrderDraft
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.reading.english.chunks import Connector, Noun
 
@@ -13,7 +13,7 @@ _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
 
 
-def as_another(draft: Draft, noun: Noun) -> Noun:
+def as_another(draft: OrderDraft, noun: Noun) -> Noun:
     """Read "and another on the shelf" as one more of what was named last."""
     last = draft.order.things[-1].noun if draft.order.things else None
     new = draft.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
@@ -23,7 +23,7 @@ def as_another(draft: Draft, noun: Noun) -> Noun:
     return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
 
-def _middle_row(draft: Draft, noun: Noun) -> Noun | None:
+def _middle_row(draft: OrderDraft, noun: Noun) -> Noun | None:
     """Read "the middle row of desks" as the desks in it."""
     link, of = draft.ahead(), draft.ahead(1)
     row = noun.kind == "number" and noun.rows and "middle row" in noun.text.lower()
@@ -33,7 +33,7 @@ def _middle_row(draft: Draft, noun: Noun) -> Noun | None:
     return replace(of, det="the", plural=True, rows=1, ordinal=MIDDLE_ROW, text=f"{noun.text} of {of.text}")
 
 
-def phrase_of(draft: Draft, noun: Noun) -> NounPhrase:
+def phrase_of(draft: OrderDraft, noun: Noun) -> NounPhrase:
     """A noun with which, or how many, of several it means."""
     rank, _, along = draft.cutter.ranks.get(id(noun), "").partition(" ")
     share = draft.cutter.shares.get(id(noun), 0.0)
@@ -50,7 +50,7 @@ def phrase_of(draft: Draft, noun: Noun) -> NounPhrase:
     return NounPhrase(noun, id=noun.id, rank=int(rank or 0), along=along, share=max(share, 0.0), left=left)
 
 
-def merged(draft: Draft, noun: Noun) -> Noun:
+def merged(draft: OrderDraft, noun: Noun) -> Noun:
     """Read "the last two chairs", "the largest of the tables" as one phrase; "the one" as the thing before it."""
     if (row := _middle_row(draft, noun)) is not None:
         return row

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import INSTEAD, NounPhrase
-from thinkblox.editing.reading.draft import IN_ROW, SIDED, Draft, is_it
+from thinkblox.editing.reading.draft import IN_ROW, SIDED, OrderDraft, is_it
 from thinkblox.editing.reading.facing import takes_lengthwise
 from thinkblox.editing.reading.going_along import takes_along, takes_rider
 from thinkblox.reading.english.chunks import Noun
@@ -16,7 +16,7 @@ _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "mak
 _INTO = ("to", "onto", "into")
 
 
-def place(draft: Draft, where: Where) -> None:
+def place(draft: OrderDraft, where: Where) -> None:
     """Take a place, or what else a preposition and its nouns say."""
     order = draft.order
     if where.word == "except" and where.noun is not None:
@@ -53,7 +53,7 @@ def place(draft: Draft, where: Where) -> None:
     attach(draft, where)
 
 
-def _is_on_new(draft: Draft, where: Where) -> bool:
+def _is_on_new(draft: OrderDraft, where: Where) -> bool:
     """Whether what comes along with a new thing is said to be on that: "two tables with a lamp on each"."""
     order, noun = draft.order, where.noun
     said = order.things[-1].places[-1:] if order.things and not order.company else []
@@ -63,27 +63,27 @@ def _is_on_new(draft: Draft, where: Where) -> bool:
     return new and it and where.word in ("on", "on_top") and not order.things[-1].noun.definite
 
 
-def _is_on_what_bears(draft: Draft, where: Where) -> bool:
+def _is_on_what_bears(draft: OrderDraft, where: Where) -> bool:
     """Whether it is the end of "(keep) the sideboard with the vase on it", which is told by that."""
     said = draft.order.things[-1].places[-1:] if draft.order.things else []
     bears = bool(said) and said[0].word == "with" and said[0].noun is not None and said[0].noun.kind == "thing"
     return bears and where.word in ("on", "on_top") and where.noun is not None and is_it(where.noun)
 
 
-def _is_like_those(draft: Draft, where: Where) -> bool:
+def _is_like_those(draft: OrderDraft, where: Where) -> bool:
     """Whether a new thing is to be "like the others", as it is anyway."""
     other = where.noun is not None and where.noun.det == "other"
     return where.word == "as" and other and draft.order.doing == "add"
 
 
-def _is_without_gap(draft: Draft, where: Where) -> bool:
+def _is_without_gap(draft: OrderDraft, where: Where) -> bool:
     """Take "(side by side) without a gap"; whether it was that."""
     gap = where.noun is not None and means("distances", where.noun.word) == "gap"
     draft.order.touching |= where.word == "without" and gap
     return where.word == "without" and gap
 
 
-def _utmost(draft: Draft, where: Where) -> None:
+def _utmost(draft: OrderDraft, where: Where) -> None:
     """Read "as far from it as possible" as the corner farthest from it, "as near as possible" as beside it."""
     if where.word == "far" and where.noun is not None and where.noun.kind in ("thing", "place"):
         where.word, where.second, where.text = "in", where.noun, "in"
@@ -94,7 +94,7 @@ def _utmost(draft: Draft, where: Where) -> None:
         draft.order.lost.append("as possible")
 
 
-def _instead_of(draft: Draft, where: Where, noun: Noun) -> None:
+def _instead_of(draft: OrderDraft, where: Where, noun: Noun) -> None:
     """Read "on the stand instead of the table", "add a stool instead of the chair"."""
     order = draft.order
     places = order.things[-1].places if order.things else order.places
@@ -111,14 +111,14 @@ def _instead_of(draft: Draft, where: Where, noun: Noun) -> None:
         order.lost.append(f"{where.text} {noun.text}")
 
 
-def _is_other_number(draft: Draft, noun: Noun) -> bool:
+def _is_other_number(draft: OrderDraft, noun: Noun) -> bool:
     """Whether there are to be so many of one kind, not another number of them: "four chairs instead of two"."""
     last = draft.order.things[-1].noun
     of_them = noun.kind == "number" or (noun.kind == "thing" and noun.value == last.value and not noun.attributes)
     return of_them and bool(noun.count and last.count) and last.kind == "thing" and not last.definite
 
 
-def _refer(draft: Draft, where: Where) -> None:
+def _refer(draft: OrderDraft, where: Where) -> None:
     """Let "it" mean what the same clause named before: an anchor of the thing, or another thing that is there."""
     noun, things = where.noun, draft.order.things
     if noun is not None and is_it(noun) and where.word != "with":
@@ -139,7 +139,7 @@ def _refer(draft: Draft, where: Where) -> None:
         draft.anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
 
 
-def attach(draft: Draft, where: Where) -> None:
+def attach(draft: OrderDraft, where: Where) -> None:
     """Give a place to what it is of."""
     noun = where.noun
     if draft.order.room and draft.order.doing == "make" and noun is not None and where.whole is None:
@@ -170,7 +170,7 @@ def _is_whereto(where: Where) -> bool:
     return where.word in ("to", "on") or where.text.lower() in _INTO
 
 
-def _is_laden(draft: Draft, where: Where) -> bool:
+def _is_laden(draft: OrderDraft, where: Where) -> bool:
     """Whether this is what rests on the thing itself: "the table and what is on it"."""
     things = draft.order.things
     alone = where.noun is not None and is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
@@ -179,7 +179,7 @@ def _is_laden(draft: Draft, where: Where) -> bool:
     return alone and bool(things) and things[-1].noun.kind == "thing" and told
 
 
-def _of_result(draft: Draft, where: Where) -> None:
+def _of_result(draft: OrderDraft, where: Where) -> None:
     """Read "so that it is next to the bed", "so that nothing stands in the centre", "so there is room in it"."""
     said = draft.so[-1].noun if draft.so else None
     apart = where.word == "between" and where.second is not None and where.noun is not None and is_it(where.noun)
@@ -200,7 +200,7 @@ def _of_result(draft: Draft, where: Where) -> None:
         draft.order.things[-1].places.append(where)
 
 
-def _is_borne(draft: Draft, where: Where) -> bool:
+def _is_borne(draft: OrderDraft, where: Where) -> bool:
     """Take "(make the rug bigger so that) the sofa and both armchairs are on it"; whether it was that."""
     order = draft.order
     it = where.noun is not None and is_it(where.noun) and where.word in ("on", "on_top") and not where.negated

@@ -4,14 +4,14 @@ from dataclasses import replace
 from typing import cast
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.reading.draft import Draft, is_it
+from thinkblox.editing.reading.draft import OrderDraft, is_it
 from thinkblox.editing.reading.locating import read_where
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Where
 
 
-def is_each_of_new(draft: Draft, noun: Noun) -> bool:
+def is_each_of_new(draft: OrderDraft, noun: Noun) -> bool:
     """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
     new = draft.order.doing in ("add", "put", "ensure") and bool(draft.order.things)
     following = draft.ahead()
@@ -21,7 +21,7 @@ def is_each_of_new(draft: Draft, noun: Noun) -> bool:
     return said
 
 
-def is_one_of_company(draft: Draft, noun: Noun) -> bool:
+def is_one_of_company(draft: OrderDraft, noun: Noun) -> bool:
     """Take where each of what goes along is to be: "(two chairs,) one on each side"; whether it was that."""
     company = draft.order.company if draft.order.doing in ("add", "put", "ensure") else []
     one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
@@ -33,7 +33,7 @@ def is_one_of_company(draft: Draft, noun: Noun) -> bool:
     return True
 
 
-def comes_along(draft: Draft, *, each: bool) -> None:
+def comes_along(draft: OrderDraft, *, each: bool) -> None:
     """Read "(two desks with a chair and) a monitor each" as what comes with every one of what is added.
 
     Where nobody says "each", what usually rests on such a thing does.
@@ -59,7 +59,7 @@ def _is_on_it(where: Where) -> bool:
     return where.word in ("on", "on_top") and where.noun is not None and is_it(where.noun) and not where.negated
 
 
-def is_one_of_them(draft: Draft, noun: Noun) -> bool:
+def is_one_of_them(draft: OrderDraft, noun: Noun) -> bool:
     """Whether it tells how one of several new things looks: "two cushions, a red one and a blue one"."""
     last = draft.order.things[-1].noun if draft.order.things else None
     looks = noun.text.lower().split()[-1:] == ["one"] and bool(noun.attributes)
@@ -68,7 +68,7 @@ def is_one_of_them(draft: Draft, noun: Noun) -> bool:
     return new and looks and several and last is not None and not last.definite
 
 
-def tell_apart(draft: Draft, noun: Noun) -> None:
+def tell_apart(draft: OrderDraft, noun: Noun) -> None:
     """Take one thing out of several that are added, which looks as is said."""
     phrase = draft.order.things.pop()
     count = (phrase.noun.count or 1) - 1
@@ -79,14 +79,14 @@ def tell_apart(draft: Draft, noun: Noun) -> None:
     draft.order.things += [replace(phrase, noun=draft.left)] if count else []
 
 
-def shares_new(draft: Draft, noun: Noun) -> bool:
+def shares_new(draft: OrderDraft, noun: Noun) -> bool:
     """Whether a number says where each of several is that come instead: "two benches, one on each long side"."""
     one = noun.kind == "pronoun" and noun.value == "one" and not noun.det
     several = bool(draft.order.instead) and (draft.order.instead[-1].noun.count or 0) > 1
     return draft.mode == "instead" and one and several and not draft.order.instead[-1].places and draft.each_follows()
 
 
-def shares_out(draft: Draft, noun: Noun) -> bool:
+def shares_out(draft: OrderDraft, noun: Noun) -> bool:
     """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
     last = draft.order.things[-1] if draft.order.things else None
     one = noun.kind == "pronoun" and noun.value == "one"

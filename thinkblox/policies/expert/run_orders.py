@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import islice, pairwise, permutations
 from typing import NamedTuple
 
@@ -70,6 +71,13 @@ Line = list[RunMember]
 
 def orders(low: Line) -> list[tuple[Line, float]]:
     """The best ways to line up what is low, seen from either end, with what each costs; some stay in turn."""
+    return [([*line], cost) for line, cost in _orders(tuple(low))]
+
+
+@lru_cache(maxsize=64)
+def _orders(members: tuple[RunMember, ...]) -> tuple[tuple[Line, float], ...]:
+    """The same; every thing of a run asks for it again."""
+    low = list(members)
     plain = _in_turn(low)
     special = [m for m in low if m not in plain]
     found: list[tuple[float, Line]] = []
@@ -81,9 +89,9 @@ def orders(low: Line) -> list[tuple[Line, float]]:
     found.sort(key=lambda pair: pair[0])
     least = found[0][0] if found else 0.0
     best = found[:ORDERS] or [(0.0, [])]
-    return [
+    return tuple(
         (order, cost - least) for cost, line in best for order in ((line, line[::-1]) if len(line) > 1 else (line,))
-    ]
+    )
 
 
 def _in_turn(low: Line) -> Line:
