@@ -334,6 +334,23 @@ def test_visitors_sit_before_the_desk_and_not_before_a_chair() -> None:
     assert ("in_front_of", "visitor_chair", ("executive_desk",)) in _ties(brief)
 
 
+@pytest.mark.parametrize(
+    "end",
+    [
+        "nothing else",
+        "no other furniture",
+        "not a single other piece of furniture",
+        "without any other furniture",
+        "and that is all",
+    ],
+)
+def test_nothing_is_assumed_besides_what_is_all(end: str) -> None:
+    brief = read_brief(f"A bedroom with a futon on the floor and a paper lantern beside it, {end}.")
+    assert brief.empty
+    assert {r.category for r in brief.requests} == {"futon", "lantern"}
+    assert brief.unknown == ()
+
+
 def test_what_heads_a_list_is_a_thing_though_nobody_knows_it() -> None:
     assert _counts(read_brief("a gizmo unit, a sofa and a lamp")) == {"gizmo_unit": 1, "sofa": 1, "floor_lamp": 1}
 

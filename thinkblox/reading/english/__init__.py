@@ -21,6 +21,7 @@ from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.reasons import with_reasons
@@ -81,6 +82,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_noughts,
+        with_nothing_else,
         with_counted_rows,
         with_reasons,
         with_assortments,
