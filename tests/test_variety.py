@@ -66,6 +66,16 @@ def test_what_everybody_expects_of_a_room_is_there_although_some_things_are_arra
     assert all(set(expected.split()) <= kinds(prompt, seed) for seed in SEEDS)
 
 
+def test_a_kitchen_of_which_only_small_things_are_named_is_a_kitchen():
+    prompt = "A kitchen for a small flat, with toaster, kettle, microwave and a folding table with two chairs"
+    assert all(kinds(prompt, seed) >= {"base_cabinet", "sink", "hob", "fridge"} for seed in SEEDS)
+
+
+def test_a_room_has_one_television():
+    prompt = "Living room with a big TV on the wall, a brown leather couch in front of it and a coffee table in between"
+    assert not any(kinds(prompt, seed) & {"tv", "tv_stand"} for seed in SEEDS)
+
+
 def test_who_wants_only_some_things_has_no_others():
     read = read_brief("A bedroom with only a king bed, a bench and a dresser with a mirror above it")
     assert all(varied(read, seed) == read for seed in SEEDS)

@@ -261,7 +261,8 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
         drawn_up = any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
         if usual.category in there and not drawn_up:
             continue
-        named = any(request.asked and request.category == usual.category for request in brief.requests)
+        asked = [request.category for request in brief.requests if request.asked]
+        named = usual.category in asked or any(_is_named(usual.category, name) for name in asked)
         unwanted = any(counts_as(usual.category, name) or are_alike(usual.category, name) for name in brief.excluded)
         found = [(kind, _anchor(brief, anchors, wanted)) for kind, anchors, _ in usual.relations]
         if named or unwanted or not all(anchor for _, anchor in found) or _is_taken(brief, usual, found):
