@@ -351,6 +351,13 @@ def test_nothing_is_assumed_besides_what_is_all(end: str) -> None:
     assert brief.unknown == ()
 
 
+def test_a_size_far_too_deep_for_the_last_thing_is_the_rooms() -> None:
+    brief = read_brief("small bedroom with single bed and wardrobe, 3 by 3 metres")
+    assert (brief.width, brief.depth) == (3.0, 3.0)
+    rug = read_brief("A bedroom with a bed and a rug, 2 m by 3 m.")
+    assert (rug.width, rug.depth) == (None, None)
+
+
 def test_what_heads_a_list_is_a_thing_though_nobody_knows_it() -> None:
     assert _counts(read_brief("a gizmo unit, a sofa and a lamp")) == {"gizmo_unit": 1, "sofa": 1, "floor_lamp": 1}
 

@@ -15,6 +15,8 @@ _OFFSETS = ("in_front_of", "behind", "above", "left_of", "right_of", "to", "outs
 """Prepositions before which a length says how far off something is."""
 _BESIDE, _NEAR = 0.5, 1.5
 """How far things beside, and near, each other are at most [m]."""
+_MUCH_DEEPER = 1.5
+"""So many times as deep as things of its kind ever are a thing is not: no wardrobe is 3 m by 3 m."""
 _LEAST_SIDE = 1.5
 """A room is no narrower than this [m]."""
 _OF_JOINED = ("next_to", "facing")
@@ -231,7 +233,7 @@ class Descriptions(Rooms):
         if thing is None or not comma or len(lengths) < 2 or min(lengths) < _LEAST_SIDE:
             return False
         depth, width, _ = kind_of(thing.noun).size_range[1]
-        return min(lengths) > max(depth, width)
+        return min(lengths) > max(depth, width) or min(lengths) > _MUCH_DEEPER * min(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
         """Whether a length says how far off something is: "2 m from it", "1 m apart", "nothing closer than 1 m"."""
