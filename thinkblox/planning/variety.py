@@ -254,14 +254,12 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
-    if any(request.asked and _is_named(first, request.category) for request in brief.requests):
-        return ()
+    asked = [request.category for request in brief.requests if request.asked]
     wanted: list[Usual] = []
     for usual in option:
         drawn_up = any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
         if usual.category in there and not drawn_up:
             continue
-        asked = [request.category for request in brief.requests if request.asked]
         named = usual.category in asked or any(_is_named(usual.category, name) for name in asked)
         unwanted = any(counts_as(usual.category, name) or are_alike(usual.category, name) for name in brief.excluded)
         found = [(kind, _anchor(brief, anchors, wanted)) for kind, anchors, _ in usual.relations]
