@@ -7,7 +7,6 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from thinkblox.exporters.inventory import Inventory, InventoryLook
 from thinkblox.exporters.looks import covering_look, finish_look
+from thinkblox.exporters.png import png_of
 from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.scene.textured_mesh import TexturedMesh
@@ -221,9 +221,7 @@ def _picture(covering: Covering, floor: bool, low: NDArray[Any], high: NDArray[A
     x, y = (axis.ravel() for axis in np.meshgrid(along, across))
     painted = colours(covering, x, y, np.full(len(x), pixel, np.float32), floor=floor)
     seen = np.round(_encoded(np.clip(painted, 0.0, 1.0)) * 255).astype(np.uint8).reshape(rows, columns, 3)
-    file = BytesIO()
-    Image.fromarray(seen).save(file, "PNG")
-    return file.getvalue()
+    return png_of(Image.fromarray(seen))
 
 
 def _encoded(light: NDArray[Any]) -> NDArray[Any]:

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from thinkblox.exporters.credits import credits_of
 from thinkblox.exporters.folder import check_folder, made_parents, sweep_pictures, whole_folder
 from thinkblox.exporters.formats import DEFAULT, ExportFormat, formats_named
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, FileKind, Manifest, ManifestFile
+from thinkblox.exporters.png import png_of
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
 from thinkblox.scene.scene import Scene, scene_given
@@ -183,9 +183,7 @@ def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str,
 
     drawn = {}
     for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
-        file = BytesIO()
-        render(scene, size=size, poses=settled.poses).save(file, format="PNG")
-        drawn[name] = file.getvalue()
+        drawn[name] = png_of(render(scene, size=size, poses=settled.poses))
     return drawn
 
 
@@ -197,9 +195,7 @@ def thumbnail(scene: Scene, settled: "SettledState") -> bytes:
     """A small picture of a scene as it rests, as PNG."""
     from thinkblox.sim.render import render_preview
 
-    file = BytesIO()
-    render_preview(scene, size=_SMALL, poses=settled.poses).save(file, format="PNG")
-    return file.getvalue()
+    return png_of(render_preview(scene, size=_SMALL, poses=settled.poses))
 
 
 class FolderWriting:

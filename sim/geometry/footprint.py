@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Shape
@@ -84,13 +83,18 @@ def _ellipse(axes: NDArray[Any]) -> Array:
 
 
 def _hull(points: Array) -> Array:
-    hull = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+    hull = shapely.get_coordinates(_around(points))
     return hull[:-1] if len(hull) > 3 else hull
+
+
+def _around(points: Array) -> BaseGeometry:
+    """The convex hull of two points and more; a line through them is made sooner than as many points."""
+    return shapely.convex_hull(shapely.linestrings(points))
 
 
 def _uncovered(outlines: list[Array]) -> tuple[Array, ...]:
     """The outlines that are not inside a single other one, largest first."""
-    areas = [MultiPoint(outline).convex_hull for outline in outlines]
+    areas = [_around(outline) for outline in outlines]
     kept: list[int] = []
     for number in sorted(range(len(areas)), key=lambda number: -areas[number].area):
         if not any(shapely.covers(areas[other], areas[number]) for other in kept):

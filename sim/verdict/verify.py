@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 
 import mujoco
 import numpy as np
@@ -64,12 +65,14 @@ def verify(
     tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
     model = compiled(build_spec(scene, physics=physics))
     state = state or rest(model, physics)
-    held = hold(model, state, physics)
-    walkable = access(scene, walking)
-    world = World(scene, tolerances=tolerances, physics=physics, walking=walking, requirements=requirements)
-    way = way and bool(walkable.unreachable)
-    robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
-    objects = tuple(_verdict(world, placement, way, robot) for placement in scene.placements)
+    with ThreadPoolExecutor(1) as beside:
+        holding = beside.submit(hold, model, state, physics)
+        walkable = access(scene, walking)
+        world = World(scene, tolerances=tolerances, physics=physics, walking=walking, requirements=requirements)
+        way = way and bool(walkable.unreachable)
+        robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
+        objects = tuple(_verdict(world, placement, way, robot) for placement in scene.placements)
+        held = holding.result()
     notes = _motion_notes(state, held, tolerances, physics)
     return _report(scene, objects, held, tolerances, walkable, robot, (*notes, *_way_notes(walkable)))
 

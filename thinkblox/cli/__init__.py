@@ -4,6 +4,9 @@ Exit status 0: all as asked; 1: done, but something was not placed or did not pa
 ours or of the system; 74: the output could not be written; 130: stopped; 141: nobody read the output to its end.
 """
 
+import atexit
+import gc
+import os
 from collections.abc import Sequence
 
 from thinkblox.cli.stopping import STOPPED, say_stopped, stoppable
@@ -15,6 +18,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     Args:
         argv: what stands behind `thinkblox`; that of the process when left out, which is then expected to end.
     """
+    if argv is None:
+        _hurry()
     stops: list[int] = []
     try:
         # Whatever takes its time can be stopped, the loading of modules too.
@@ -28,3 +33,12 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
     say_stopped()
     return STOPPED
+
+
+def _hurry() -> None:
+    """Spare a process of ours what only costs it time."""
+    # No command draws by OpenGL; the engine would look for a display each time.
+    os.environ.setdefault("MUJOCO_GL", "disable")
+    # What a command makes it keeps: looking through it for garbage so often, and once more at the end, finds nothing.
+    gc.set_threshold(50_000)
+    atexit.register(gc.freeze)

@@ -128,7 +128,11 @@ def _room_types(revision: int) -> dict[str, RoomType]:
     types = msgspec.convert(tomllib.loads(text), dict[str, RoomType])
     _check_rooms(types)
     _check_likes(types)
-    return {name: msgspec.structs.replace(kind, contents=kind.contents + _added(name)) for name, kind in types.items()}
+    added = _added()
+    return {
+        name: msgspec.structs.replace(kind, contents=(*kind.contents, *added[name])) if name in added else kind
+        for name, kind in types.items()
+    }
 
 
 def _check_rooms(types: Mapping[str, RoomType]) -> None:
@@ -145,14 +149,14 @@ def _check_likes(types: Mapping[str, RoomType]) -> None:
             raise InputError(f"room {name!r}: it is like {kind.like!r}, which is no type of room")
 
 
-def _added(room: str) -> tuple[str, ...]:
-    """Lines for the categories that name the room as one of theirs: "2 : on desk" becomes "2 lamp : on desk"."""
-    lines = []
+def _added() -> dict[str, list[str]]:
+    """For each room, lines for the categories that name it as one of theirs: "2 : on desk" becomes "2 lamp : on desk"."""
+    lines: dict[str, list[str]] = {}
     for name, category in CATALOGUE.items():
-        if room in category.rooms:
-            count, _, how = category.rooms[room].rpartition(":")
-            lines.append(f"{count.strip() or 1} {name} : {how.strip()}")
-    return tuple(lines)
+        for room, said in category.rooms.items():
+            count, _, how = said.rpartition(":")
+            lines.setdefault(room, []).append(f"{count.strip() or 1} {name} : {how.strip()}")
+    return lines
 
 
 @lru_cache(maxsize=256)
