@@ -1,7 +1,8 @@
 """Saving any scene, generated or edited, with its report, its formats and its pictures."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,8 @@ from thinkblox.whole_file import write_whole
 from thinkblox.workplace import workplace
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
     from thinkblox.exporters.inventory import Inventory
     from thinkblox.sim.verdict.settle import SettledState
 
@@ -181,10 +184,12 @@ def _verified(inventory: "Inventory") -> Report:
 def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str, bytes]:
     from thinkblox.sim.render import render_preview, render_top
 
-    drawn = {}
-    for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
-        drawn[name] = png_of(render(scene, size=size, poses=settled.poses))
-    return drawn
+    def drawn(render: Callable[..., "Image"]) -> bytes:
+        return png_of(render(scene, size=size, poses=settled.poses))
+
+    # Each waits for itself now and then, which is when the other is drawn.
+    with ThreadPoolExecutor() as painters:
+        return dict(zip(PICTURES, painters.map(drawn, (render_preview, render_top)), strict=True))
 
 
 THUMBS, _SMALL = ".thumbs/256x256", 256
