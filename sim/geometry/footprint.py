@@ -89,7 +89,7 @@ def _hull(points: Array) -> Array:
 
 def _around(points: Array) -> BaseGeometry:
     """The convex hull of two points and more; a line through them is made sooner than as many points."""
-    return shapely.convex_hull(shapely.linestrings(points))
+    return shapely.LineString(points).convex_hull
 
 
 def _uncovered(outlines: list[Array]) -> tuple[Array, ...]:

@@ -150,7 +150,7 @@ def _check_likes(types: Mapping[str, RoomType]) -> None:
 
 
 def _added() -> dict[str, list[str]]:
-    """For each room, lines for the categories that name it as one of theirs: "2 : on desk" becomes "2 lamp : on desk"."""
+    """For each room, lines for what names it as one of its rooms: "2 : on desk" becomes "2 lamp : on desk"."""
     lines: dict[str, list[str]] = {}
     for name, category in CATALOGUE.items():
         for room, said in category.rooms.items():
