@@ -5,7 +5,13 @@ from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import MISSING, Bond, Draft, Mention
 
-_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to", "flank_each": "next_to"}
+_KINDS: dict[str, RelationKind] = {
+    "in": "on",
+    "along": "against_wall",
+    "flank": "next_to",
+    "flank_each": "next_to",
+    "sides": "next_to",
+}
 FLANKS = ("flank", "flank_each")
 """Both sides of something: "on either side of the bed", and "on each side", where a number is that of one side."""
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
