@@ -589,3 +589,30 @@ def test_between_openings_is_no_more_than_near_them_and_told(between: str) -> No
 def test_of_each_kind_there_are_so_many(prompt: str, counts: dict[str, int]) -> None:
     found = _counts(read_brief(prompt))
     assert {category: found.get(category) for category in counts} == counts
+
+
+@pytest.mark.parametrize(
+    ("prompt", "rows"),
+    [
+        ("A classroom with twelve school desks in three columns.", 4),
+        ("A classroom with three columns of four school desks.", 4),
+        ("A classroom with twelve school desks in three rows.", 3),
+        ("A hall with 4 rows x 6 columns of chairs.", 4),
+    ],
+)
+def test_columns_are_counted_across_rows(prompt: str, rows: int) -> None:
+    assert [r.rows for r in read_brief(prompt, fill="named").relations if r.kind == "in_rows"] == [rows]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "tie"),
+    [
+        ("A game room with a pool table under a hanging lamp.", ("above", "pendant_lamp", ("pool_table",))),
+        ("Four desks, each under a pendant lamp.", ("above", "pendant_lamp", ("desk",))),
+        ("A den with a mini fridge below the TV.", ("above", "wall_tv", ("fridge",))),
+        ("A bathroom with a sink under a mirror.", ("under", "washbasin", ("mirror",))),
+        ("A library with a ladder leaning on a bookcase.", ("next_to", "ladder", ("bookcase",))),
+    ],
+)
+def test_what_is_under_what_hangs_or_leans_on_what_stands(prompt: str, tie: tuple[str, str, tuple[str, ...]]) -> None:
+    assert _ties(read_brief(prompt)) == {tie}
