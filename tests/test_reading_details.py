@@ -158,7 +158,7 @@ from thinkblox.reading import read_brief
         ("A vanity with a stool is to the left of the door.",
          ["1 stool at dressing_table", "1 dressing_table left_of door"]),
         ("24 chairs around six tables.", ["24 chair around dining_table"]),
-        ("An operating table under two surgical lights.", ["1 operating_table under surgical_lamp"]),
+        ("An operating table under two surgical lights.", ["2 surgical_lamp above operating_table"]),
         ("A fridge, a stove and an oven, and wall cabinets above all three.",
          ["2 wall_cabinet above fridge stove oven"]),
         ("Ten stations, each consisting of a desk, two monitors and a chair.", ["10 chair at desk"]),
