@@ -3,6 +3,7 @@
 import pytest
 
 from tests.test_reading_turns import counted, related
+from thinkblox.assets import kind_of
 from thinkblox.reading import read_brief
 
 
@@ -309,8 +310,9 @@ def test_a_number_of_nobody_knows_what_changes_none() -> None:
 
 
 def test_what_hangs_from_the_ceiling_is_on_no_wall() -> None:
-    basket = read_brief("Five hanging baskets from the ceiling.", fill="named").request("basket")
-    assert basket.attributes == ("hanging",)
+    cage = read_brief("Five hanging cages from the ceiling.", fill="named").request("cage")
+    assert cage.attributes == ("hanging",)
+    assert kind_of(read_brief("Five hanging baskets.", fill="named").requests[0].category).mount == "ceiling"
 
 
 @pytest.mark.parametrize(

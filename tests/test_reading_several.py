@@ -540,3 +540,79 @@ def test_what_each_of_them_holds_or_has_is_counted(prompt: str, counts: dict[str
 
 def test_seats_of_several_kinds_seat_nobody_knows_how_many() -> None:
     assert read_brief("A sofa and two armchairs. Everyone gets a mug.").unknown
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A room with a console table flanked by two plants.",
+        "A room with a console table flanked by plants.",
+        "A room with a console table. Two plants flank it.",
+        "A room with two plants flanking a console table.",
+    ],
+)
+def test_of_two_that_flank_something_one_is_at_each_side(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief) == {"console_table": 1, "plant": 2}
+    assert _ties(brief) == {
+        ("left_of", "plant", ("console_table",)),
+        ("right_of", "plant-2", ("console_table",)),
+    }
+    assert not brief.unknown
+
+
+def test_one_of_two_kinds_that_flank_something_is_at_its_left() -> None:
+    brief = read_brief("A hall with a console table flanked by a plant and an umbrella stand.")
+    ties = {("left_of", "plant", ("console_table",)), ("right_of", "umbrella_stand", ("console_table",))}
+    assert _ties(brief) == ties
+
+
+def test_between_what_each_of_two_has_is_between_two() -> None:
+    brief = read_brief("Two single beds, each with a desk at its foot, and a mini fridge between the desks.")
+    assert ("between", "fridge", ("desk",)) in _ties(brief)
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize("between", ["the two windows", "the door and the window"])
+def test_between_openings_is_no_more_than_near_them_and_told(between: str) -> None:
+    assert read_brief(f"An office with a cabinet between {between}.").unknown == (f"between {between}",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A counter with jars of flour, sugar and rice, two of each.", {"jar": 6}),
+        ("A table with a bowl, plates and glasses, four of each.", {"bowl": 1, "plate": 4, "glass": 4}),
+        ("A sunroom with hanging plants in each corner.", {"hanging_plant": 4}),
+    ],
+)
+def test_of_each_kind_there_are_so_many(prompt: str, counts: dict[str, int]) -> None:
+    found = _counts(read_brief(prompt))
+    assert {category: found.get(category) for category in counts} == counts
+
+
+@pytest.mark.parametrize(
+    ("prompt", "rows"),
+    [
+        ("A classroom with twelve school desks in three columns.", 4),
+        ("A classroom with three columns of four school desks.", 4),
+        ("A classroom with twelve school desks in three rows.", 3),
+        ("A hall with 4 rows x 6 columns of chairs.", 4),
+    ],
+)
+def test_columns_are_counted_across_rows(prompt: str, rows: int) -> None:
+    assert [r.rows for r in read_brief(prompt, fill="named").relations if r.kind == "in_rows"] == [rows]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "tie"),
+    [
+        ("A game room with a pool table under a hanging lamp.", ("above", "pendant_lamp", ("pool_table",))),
+        ("Four desks, each under a pendant lamp.", ("above", "pendant_lamp", ("desk",))),
+        ("A den with a mini fridge below the TV.", ("above", "wall_tv", ("fridge",))),
+        ("A bathroom with a sink under a mirror.", ("under", "washbasin", ("mirror",))),
+        ("A library with a ladder leaning on a bookcase.", ("next_to", "ladder", ("bookcase",))),
+    ],
+)
+def test_what_is_under_what_hangs_or_leans_on_what_stands(prompt: str, tie: tuple[str, str, tuple[str, ...]]) -> None:
+    assert _ties(read_brief(prompt)) == {tie}

@@ -184,3 +184,8 @@ def test_beds_side_by_side_have_a_nightstand_between_them_and_nothing_at_the_foo
 )
 def test_who_names_a_thing_gets_no_other_that_is_called_alike(prompt, others):
     assert all(kinds(prompt, seed).isdisjoint(others) for seed in SEEDS)
+
+
+def test_who_names_a_shower_wants_no_bathtub_unless_it_is_named_too():
+    assert all("bathtub" not in kinds("A guest bathroom with a shower", seed) for seed in SEEDS)
+    assert {"bathtub", "shower_cabin"} <= kinds("A bathroom with a bathtub and a shower", 0)

@@ -90,6 +90,10 @@ class Varieties(Value, frozen=True, kw_only=True):
         """The choices of a type of room, or of the wider one that it is one of; None where there are none."""
         return self.rooms.get(room) or self.rooms.get(room_type(room).like)
 
+    def stands_for(self, one: str, other: str) -> bool:
+        """Whether who has one of two different things wants no other: a bathtub and a shower."""
+        return one != other and any({one, other} <= {*listed.split(", ")} for listed in self.alike)
+
 
 def do_alike(one: str, other: str) -> bool:
     """Whether one thing does for another: called alike, and usually in a like place; no kitchen table for a low one."""

@@ -286,7 +286,7 @@ def _is_named(category: str, name: str) -> bool:
 
     One kind of chairs to lean back in is enough.
     """
-    if category.endswith(f"_{name}") or any({category, name} <= {*listed.split(", ")} for listed in varieties().alike):
+    if category.endswith(f"_{name}") or varieties().stands_for(category, name):
         return True
     return load_habits().is_in(category, "lounges") and are_alike(category, name)
 

@@ -362,6 +362,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         there |= any(_is_one(n, usual.category) for n in draft.excluded)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
         there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
+        there |= any(t.asked and varieties().stands_for(usual.category, t.noun) for t in draft.things)
         if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]

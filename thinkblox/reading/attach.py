@@ -5,7 +5,13 @@ from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import MISSING, Bond, Draft, Mention
 
-_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to", "flank_each": "next_to"}
+_KINDS: dict[str, RelationKind] = {
+    "in": "on",
+    "along": "against_wall",
+    "flank": "next_to",
+    "flank_each": "next_to",
+    "sides": "next_to",
+}
 FLANKS = ("flank", "flank_each")
 """Both sides of something: "on either side of the bed", and "on each side", where a number is that of one side."""
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
@@ -64,6 +70,8 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
     """The bond that is meant: chairs "under" a desk are at it, a bed "on" a rug has the rug under it."""
     habits = load_habits()
     usual = habits.tie(bond.subject.noun, anchor.noun)
+    if bond.kind == "under" and _hangs_over(anchor, bond):
+        return Bond("above", anchor, (bond.subject,), each=bond.each)
     if bond.kind == "on" and habits.is_in(anchor.noun, "covers") and not habits.is_in(bond.subject.noun, "covers"):
         if habits.is_in(bond.subject.noun, "small"):
             return bond
@@ -75,6 +83,16 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
     elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces"):
         bond.kind = "near" if habits.is_in(anchor.noun, "amid_room") else bond.kind
     return bond
+
+
+def _hangs_over(anchor: Mention, bond: Bond) -> bool:
+    """Whether what stands on the floor is said to be under one thing that hangs above it: a lamp, a television."""
+    if bond.negated or len(bond.anchors) > 1 or kind_of(bond.subject.noun).mount != "floor":
+        return False
+    if load_habits().tie(anchor.noun, bond.subject.noun) == "on":
+        return False
+    above = any(sense.endswith(" if rel:above") for sense in kind_of(anchor.noun).senses)
+    return kind_of(anchor.noun).mount == "ceiling" or above
 
 
 def _slides_under(bond: Bond, anchor: Mention) -> bool:

@@ -35,7 +35,10 @@ def _kinds(chunks: Sequence[Chunk], at: int) -> tuple[list[Chunk], int]:
     if not isinstance(several, Noun) or several.kind != "thing" or several.det or several.count is not None:
         return [], 0
     head, _, first = several.text.partition(" of ")
-    contents, end = [first], at + 1
+    end = at + 1
+    if not first and (parted := _next_kind(chunks, at + 1, of=True)) is not None:
+        first, end = parted.text, chunks.index(parted, end) + 1
+    contents = [first]
     while (noun := _next_kind(chunks, end)) is not None:
         contents.append(noun.text)
         end = chunks.index(noun, end) + 1
@@ -52,10 +55,11 @@ def _kinds(chunks: Sequence[Chunk], at: int) -> tuple[list[Chunk], int]:
     return found, end - at
 
 
-def _next_kind(chunks: Sequence[Chunk], at: int) -> Noun | None:
-    """The next of a list of bare nouns, after its comma or "and"."""
+def _next_kind(chunks: Sequence[Chunk], at: int, *, of: bool = False) -> Noun | None:
+    """The next of a list of bare nouns, after its comma or "and"; the first one after an "of"."""
     start = at
-    while at < len(chunks) and (is_link(chunks[at], "mark", "comma") or is_link(chunks[at], "joins", "and")):
+    joins = [("prepositions", "of")] if of else [("mark", "comma"), ("joins", "and")]
+    while at < len(chunks) and any(is_link(chunks[at], *join) for join in joins):
         at += 1
     noun = chunks[at] if start < at < len(chunks) else None
     bare = isinstance(noun, Noun) and noun.kind == "thing" and not noun.det and noun.count is None

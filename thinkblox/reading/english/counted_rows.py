@@ -27,9 +27,19 @@ def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
             elif chunk.kind == "thing":
                 chunk = replace(chunk, count=chunk.rows * each, end=end)
             at += length if chunk.end == end else 0
-        found.append(chunk)
+        found.append(_in_rows(chunk, found) if isinstance(chunk, Noun) and chunk.rows > 1 else chunk)
         at += 1
     return found
+
+
+def _in_rows(chunk: Noun, before: Sequence[Chunk]) -> Noun:
+    """What stands in columns as what stands in rows: twelve in three columns are four rows of three."""
+    said = chunk.text.lower().split()
+    if "columns" not in said or "rows" in said:
+        return chunk
+    whole = before[-2] if len(before) > 1 and chunk.kind == "number" else chunk
+    count = whole.count if isinstance(whole, Noun) else None
+    return replace(chunk, rows=count // chunk.rows) if count and not count % chunk.rows else chunk
 
 
 def _told_after(chunks: Sequence[Chunk], at: int) -> tuple[int, int, int] | None:

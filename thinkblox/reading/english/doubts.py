@@ -153,7 +153,7 @@ class Doubts(Corrections):
             return f"{thing.text} around {anchor.text} (only one)"
         if bond.kind in _SHARED and not bond.each and self._is_lone_of_several(thing, anchors):
             return f"{thing.text} {bond.kind} {anchor.text} (which of them?)"
-        if bond.kind == "between" and len(anchors) == 1 and not anchor.many:
+        if bond.kind == "between" and lone and not anchor.many:
             return f"{thing.text} between {anchor.text} and what?"
         return ""
 

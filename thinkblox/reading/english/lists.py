@@ -15,6 +15,7 @@ _FOR_ALL = (
     "around", "opposite", "left_of", "right_of", "facing",
 )  # fmt: skip
 """Relations that, told first, hold of all that is then listed: "opposite the piano, a sofa and a lamp"."""
+_PAIR = 2
 _FOR_JOINED = ("under", "between", "at_foot_of", "far", "at_long_side", "at_short_side")
 """The same of what is joined to it without a comma before the "and": "between the beds are a nightstand and a lamp"."""
 
@@ -156,17 +157,32 @@ class Memberships(Ties):
     def _tie_to(self, frame: Listed, node: Node, thing: Mention, tie: str) -> None:
         """Bind a member to the head of its list."""
         head = node.things[-1]
+        if tie == "sides" and self._stands_at_side(frame, head, thing):
+            return
         anchors = tuple(node.things)
         if any(a.noun != head.noun for a in anchors) and not frame.each:
             anchors = (head,)
         if head in self.places and self._is_laid(thing, Meaning("at", anchors, each=True), anchors):
             return
         each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
-        if frame.kind in ("around", "next_to") and thing.count == 1:
+        if frame.kind in ("around", "next_to", "sides") and thing.count == 1:
             each = False
         implied = frame.kind == "with" or self._is_told_next()
         bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=frame.each)
         bind(self.draft, bond)
+
+    def _stands_at_side(self, frame: Listed, head: Mention, thing: Mention) -> bool:
+        """Put what something is flanked by at its left and its right: two of a kind, or one and then another."""
+        if head.many or frame.each:
+            return False
+        if thing.many or thing.plural:
+            return self._flanks([thing], Meaning("next_to", (head,), both=True))
+        before = [b for m in frame.members[:-1] if m is not thing for b in self.draft.bonds_of(m)]
+        if len(frame.members) != _PAIR or [(b.kind, b.anchors) for b in before] != [("next_to", (head,))]:
+            return False
+        before[0].kind = "left_of"
+        bind(self.draft, Bond("right_of", thing, (head,)))
+        return True
 
     def _apply_front(self, things: list[Mention]) -> None:
         """Give things the relation that stood before them ("on the desk a lamp and a vase")."""

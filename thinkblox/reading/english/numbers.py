@@ -99,10 +99,11 @@ class Numbers(Verbs):
         each = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
         if each is None or each.value != "each" or each.text.lower() != "each" or not noun.count or noun.of_known:
             return False
-        said = self.chunks[self._clause_start() : self.at]
-        kinds = [t for chunk in said for t in self.meant.get(chunk.start, ()) if t.count is None and t.plural]
+        said = [c for c in self.chunks[self._clause_start() : self.at] if isinstance(c, Noun)]
+        bare = [(t, c.plural or not c.det) for c in said for t in self.meant.get(c.start, ()) if t.count is None]
+        kinds = [thing for thing, counts in bare if counts or thing.plural]
         for thing in kinds:
-            thing.count = noun.count
+            thing.count, thing.plural = noun.count, noun.count > 1
         if kinds:
             self._go_past(each)
         return bool(kinds)

@@ -307,14 +307,20 @@ class Positions(Subjects):
         return True
 
     def _reword(self, where: Where) -> None:
-        """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
+        """Take "leaning on the wall" or on a bookcase for against it, and "halfway down the room" for in its middle."""
         place = where.noun is not None and where.noun.kind == "place"
         if where.word == "to" and place and self._is_mounted():
             where.word = "on"
-        if where.word == "on" and place and self._is_leaning():
+        if where.word == "on" and self._is_leaning() and (place or self._stands_thing(where)):
             where.word = "against"
         if where.word == "halfway" and not (place and where.noun is not None and "wall" in where.noun.value):
             where.noun = None
+
+    def _stands_thing(self, where: Where) -> bool:
+        """Whether it is said of what stands on the floor where it is to another thing."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        other = where.noun is not None and where.noun.kind in ("thing", "pronoun", "number")
+        return other and thing is not None and not is_small(thing)
 
     def _turned_to(self, where: Where) -> None:
         """Say that nobody sees to "parallel to the shelf"; the shelf is asked for all the same."""

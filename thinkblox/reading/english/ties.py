@@ -34,7 +34,7 @@ class Ties(Relating):
             frame = node.frame
             if frame is None or frame.head is None:
                 continue
-            if self._goes_on(frame, thing, noun):
+            if self._is_at_other_side(frame) or self._goes_on(frame, thing, noun):
                 frame.closing |= self.separator in ("and", "comma_and")
                 return frame
         if self.aside is not None and (tie := self._tie(thing, self.aside[1])) is not None and not self._told_apart():
@@ -58,6 +58,10 @@ class Ties(Relating):
         """Whether what comes says that the thing just named is somewhere by itself."""
         noun = self._next_noun(1) if self._is_told_next() else None
         return noun is not None and noun.kind == "place"
+
+    def _is_at_other_side(self, frame: Listed) -> bool:
+        """Whether what comes is the second of two that flank something."""
+        return frame.kind == "sides" and self.separator == "and" and [m.many for m in frame.members] == [False]
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         if self.separator == "comma_and" and self._is_as_many(frame, thing):

@@ -5,7 +5,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.prepositions import Prepositions
 
-_STANDS = {"face": "facing", "face_away": "facing_away", "surround": "around", "flank": "next_to", "line": "along"}
+_STANDS = {"face": "facing", "face_away": "facing_away", "surround": "around", "flank": "sides", "line": "along"}
 """Verbs that say how the subject stands to their object, as the prepositions of the same meaning."""
 
 
