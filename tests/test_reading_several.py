@@ -616,3 +616,19 @@ def test_columns_are_counted_across_rows(prompt: str, rows: int) -> None:
 )
 def test_what_is_under_what_hangs_or_leans_on_what_stands(prompt: str, tie: tuple[str, str, tuple[str, ...]]) -> None:
     assert _ties(read_brief(prompt)) == {tie}
+
+
+def test_what_is_said_to_stand_between_an_opening_and_a_thing_has_the_thing_beside_it() -> None:
+    brief = read_brief("A nursery with a crib between the window and the wardrobe.")
+    assert _counts(brief) == {"crib": 1, "wardrobe": 1}
+    assert ("next_to", "crib", ("wardrobe",)) in _ties(brief)
+    assert brief.unknown
+
+
+def test_heads_of_a_table_are_its_short_sides() -> None:
+    brief = read_brief(
+        "A dining room with a table for eight, six chairs on the long sides and two armchairs at the heads."
+    )
+    assert ("at_short_side", "armchair", ("dining_table",)) in _ties(brief)
+    assert _counts(brief) == {"dining_table": 1, "chair": 6, "armchair": 2}
+    assert not brief.unknown

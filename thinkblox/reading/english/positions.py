@@ -520,6 +520,8 @@ class Positions(Subjects):
         if where.second is not None and where.second.kind == "place":
             opening = Meaning("next_to", (where.second.value.split()[0],))
             self._relate(subjects, opening)
+        elif where.second is not None and where.second.kind == "thing" and isinstance(meaning.anchors[0], str):
+            self._relate(subjects, Meaning("next_to", tuple(self.anchors(where.second, subjects)[0])))
         if meaning.kind in ("on", "inside") and not meaning.told:
             self._place_carrier(subjects, meaning)
         if node in self.frontier:
