@@ -632,3 +632,34 @@ def test_heads_of_a_table_are_its_short_sides() -> None:
     assert ("at_short_side", "armchair", ("dining_table",)) in _ties(brief)
     assert _counts(brief) == {"dining_table": 1, "chair": 6, "armchair": 2}
     assert not brief.unknown
+
+
+@pytest.mark.parametrize("corner", ["SW corner", "southwest corner", "south-west corner", "southwestern corner"])
+def test_corners_are_told_by_the_compass(corner: str) -> None:
+    brief = read_brief(f"A bedroom with a desk in the {corner}.", fill="named")
+    assert _ties(brief) == {("in_corner", "desk", ("south_wall", "west_wall"))}
+    assert not brief.unknown
+
+
+def test_notes_leave_out_the_words_before_places() -> None:
+    brief = read_brief("Bedroom, door east, two windows north, wardrobe NE corner, bed west wall.", fill="named")
+    assert {(gap.kind, gap.wall, gap.count) for gap in brief.openings} == {
+        ("door", "east_wall", 1),
+        ("window", "north_wall", 2),
+    }
+    assert _ties(brief) == {
+        ("in_corner", "wardrobe", ("north_wall", "east_wall")),
+        ("against_wall", "bed", ("west_wall",)),
+    }
+    assert not brief.unknown
+
+
+def test_what_we_have_got_is_asked_for() -> None:
+    brief = read_brief("We've got a 3x4 m home office: one desk, two screens.", fill="named")
+    assert (brief.room_type, brief.width, brief.depth) == ("home_office", 3.0, 4.0)
+    assert not brief.unknown
+
+
+def test_along_the_back_is_along_the_far_wall() -> None:
+    brief = read_brief("A shop with a counter and a freezer along the back.", fill="named")
+    assert ("against_wall", "fridge", ("far_wall",)) in _ties(brief)

@@ -8,6 +8,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
+from thinkblox.reading.english.bare_places import with_bare_places
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
@@ -81,6 +82,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_bare_places,
         with_noughts,
         with_nothing_else,
         with_counted_rows,

@@ -532,7 +532,7 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> bool:
         """Whether "the middle", "the left" without a thing are of the room."""
-        if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
+        if said.value in ("front", "back") and where.word in ("at", "in", "to", "along") and said.det == "the":
             return True
         before = self.place.anchors[0] if self.place is not None else ""
         walls = {ROOM_SIDES.get(said.value, ""), before} == {"left_wall", "right_wall"}
