@@ -34,6 +34,8 @@ from thinkblox.reading.measures import object_size
 from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import BACK_GAP, EYE
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
@@ -42,6 +44,9 @@ from thinkblox.value import Vec2
 
 THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
+NEIGHBOUR = 0.6
+"""How far from a thing something stands at most on which small things are by that [m]."""
+_BESIDE = ("next_to", "near", "left_of", "right_of")
 MOST = 20
 """Most things that one order adds."""
 
@@ -129,6 +134,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
+        id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
         id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
             break
@@ -239,6 +245,27 @@ def _on_usual(work: Work, category: str, noun: Noun) -> str:
     saved, said = work.saved(), len(work.failed)
     for carrier in carriers[:CARRIERS]:
         if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
+            return id
+        work.restore(saved)
+        del work.failed[said:]
+    return ""
+
+
+def _on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], goals: Sequence[Goal]) -> str:
+    """Add something small by a thing on the floor to what carries such things beside that: "a kettle by the stove".
+
+    Empty where nothing beside it carries it, or where it is said otherwise.
+    """
+    scene, beside = work.scene, [bound for bound in here if bound.kind in _BESIDE and not bound.negated]
+    anchors = [name for bound in beside for name in bound.anchors if name in scene]
+    plain = len(anchors) == len(beside) == len(here) == len(goals) == 1 and not beside[0].upon
+    if not plain or work.source.usual(category)[1] != "surface" or scene[anchors[0]].support in scene:
+        return ""
+    mark, saved, said = things(scene, anchors[0])[0], work.saved(), len(work.failed)
+    away = {id: ground_gap(things(scene, id)[0], mark) for id in usual_carriers(scene, category) if id != anchors[0]}
+    for carrier in sorted((id for id in away if away[id] <= NEIGHBOUR), key=lambda id: away[id]):
+        on: list[Goal] = [Related("near", (anchors[0],)), Related("on", (carrier,))]
+        if id := add_one(work, category, noun, on):
             return id
         work.restore(saved)
         del work.failed[said:]

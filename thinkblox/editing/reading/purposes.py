@@ -82,8 +82,18 @@ def _begins(tokens: Sequence[Token], at: int) -> bool:
     return at == 0 or tokens[at - 1].text in ENDS
 
 
+def _counts_left(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what follows says how many then are left: "(so that) only four are left", "there are four left"."""
+    end = _end(tokens, at)
+    words = [token.text for token in tokens[at:end]]
+    counted = any(token.kind == "number" or grammar().at([token], 0, "count") is not None for token in tokens[at:end])
+    return counted and len(words) <= MOST_OF_PERSON and bool(words) and words[-1] in ("left", "remain", "remaining")
+
+
 def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
     said = at + 1 + (tokens[at + 1].text == "that" if at + 1 < len(tokens) else 0)
+    if at and _counts_left(tokens, said):
+        return _cut(tokens, at, _end(tokens, said))
     person = _person(tokens, said)
     if not person or at == 0:
         return tokens
