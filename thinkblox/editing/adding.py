@@ -427,8 +427,25 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
     return thing.noun
 
 
-def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, asset: Asset | None = None) -> str:
-    """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted."""
+def add_one(
+    work: Work,
+    category: str,
+    noun: Noun,
+    goals: Sequence[Goal],
+    *,
+    asset: Asset | None = None,
+    first: Sequence[Pose] = (),
+) -> str:
+    """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted.
+
+    Args:
+        work: the edit.
+        category: of the thing.
+        noun: what is said of it.
+        goals: where it is to be.
+        asset: which it is to be; one as is said when not given.
+        first: poses that are tried before others.
+    """
     id = work.new_id(category)
     if load_habits().is_in(category, "screens"):
         others = [p.id for p in work.scene.placements if load_habits().is_in(p.category, "screens")]
@@ -444,7 +461,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     )
     asset = asset or _asset(work, target, same=noun.degree == SAME)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
-    direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
+    direct = chain(first, _between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     if any(isinstance(goal, Laid) for goal in goals):
         direct = chain(likely(work.scene, asset, goals), direct)
     direct = chain(_where_it_was(asset, goals), direct)

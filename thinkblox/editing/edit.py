@@ -1,7 +1,7 @@
 """Editing a finished room by instructions: what is named changes and is measured, everything else stays as it is."""
 
 import dataclasses
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -15,6 +15,7 @@ from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.company import left_behind
 from thinkblox.editing.ensuring import bring, ensure
+from thinkblox.editing.falling_back import Reading, readings
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.formations import form, formation_of
 from thinkblox.editing.goals import Related
@@ -25,7 +26,6 @@ from thinkblox.editing.making import hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
-from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
@@ -191,20 +191,45 @@ def edit_room(
     if policy is not None and not callable(getattr(policy, "propose", None)):
         raise InputError(f"the policy is a {type(policy).__name__}, which has no propose(); see thinkblox.policies")
     made = _opened(room)
-    read = read_instruction(instruction, [p.id for p in made.scene.placements])
-    work = Work(
-        World(made.scene, tolerances=tolerances or Tolerances()),
-        prompt=f"{made.scene.prompt}\nNow: {instruction.strip()}".strip(),
-        planned=made.episode.plan if made.episode is not None else None,
-        policy=policy or ExpertPolicy(),
-        source=source or ProceduralAssets(),
-        effort=effort or Effort(rounds=2),
-        rng=np.random.default_rng((seed, 11)),
-        seed=seed,
-    )
     past = past_of(made.episode.standing) if made.episode is not None else Past()
-    about = _carry_out(work, read, past)
+
+    def begun() -> Work:
+        return Work(
+            World(made.scene, tolerances=tolerances or Tolerances()),
+            prompt=f"{made.scene.prompt}\nNow: {instruction.strip()}".strip(),
+            planned=made.episode.plan if made.episode is not None else None,
+            policy=policy if policy is not None and not isinstance(policy, str) else ExpertPolicy(),
+            source=source or ProceduralAssets(),
+            effort=effort or Effort(rounds=2),
+            rng=np.random.default_rng((seed, 11)),
+            seed=seed,
+        )
+
+    work, read, about = _first_that_can_be(begun, readings(instruction, made.scene), past)
     return _finished(work, made, read, tolerances, about)
+
+
+def _first_that_can_be(
+    begun: Callable[[], Work], ways: Iterable[Reading], past: Past
+) -> tuple[Work, Instruction, tuple[str, ...]]:
+    """The first of several ways to carry an instruction out in which everything is done, else that with most of it."""
+    best: tuple[Work, Instruction, tuple[str, ...]] | None = None
+    for way in ways:
+        work = begun()
+        try:
+            about = _carry_out(work, way.instruction, past)
+        except InputError:
+            if best is None:
+                raise
+            continue
+        if best is None or len(work.failed) < len(best[0].failed):
+            best = work, way.instruction, about
+            work.notes += [way.says] if way.says and not work.failed else []
+        if not work.failed:
+            break
+    if best is None:
+        raise InputError("the instruction does not say what to do")
+    return best
 
 
 def undo_edit(room: Made | str | Path) -> Edit:
@@ -452,6 +477,27 @@ def _on_its_carrier(finder: Finder, phrase: NounPhrase, id: str) -> bool:
     return carrier in finder.scene and carrier in named_
 
 
+_BY = ("above", "next_to", "near", "by", "at", "in_front_of", "behind", "left_of", "right_of", "under", "around")
+
+
+def _marks_of(finder: Finder, phrase: NounPhrase) -> list[str]:
+    """The things at which something is said to stay: "the mirror stays above the washbasin"."""
+    nouns = [w.noun for w in phrase.places if w.word in _BY and not w.negated and w.noun is not None]
+    return [p.id for noun in nouns if noun.kind == "thing" for p in finder.matching(noun)]
+
+
+def _follow(work: Work, finder: Finder, order: Order) -> None:
+    """Let what is to stay at a thing go where that has gone."""
+    before = dataclasses.replace(finder, scene=work.start)
+    gone = [
+        id in work.scene and id in work.start and work.scene[id] != work.start[id]
+        for phrase in order.things
+        for id in _marks_of(before, phrase)
+    ]
+    if order.doing == "keep" and any(gone) and all(phrase.places for phrase in order.things):
+        order.doing = "put"
+
+
 def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What a phrase says is to stay; "its stand" is every stand that it could be."""
     if phrase.noun.kind not in ("thing", "number"):
@@ -506,7 +552,10 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     moves = all(order.doing in _MOVING for order in orders)
     work.kept = frozenset(
-        id for phrase in kept for id in _kept(finder, phrase) if not (moves and _on_its_carrier(finder, phrase, id))
+        id
+        for phrase in kept
+        for id in _kept(finder, phrase)
+        if not (moves and (_on_its_carrier(finder, phrase, id) or _marks_of(finder, phrase)))
     )
     if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
         work.kept |= {p.id for p in work.scene.placements}
@@ -521,6 +570,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
             continue
         try:
             _on_either(order, finder)
+            _follow(work, finder, order)
             _check_back(order, finder)
             _do(work, finder, order)
         except InputError as error:

@@ -448,7 +448,8 @@ def _split(
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
-        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here
+        known = bool(phrase.id or phrase.noun.id or phrase.noun.ordinal)
+        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here and not known
         several |= all(w.word == "on" and w.noun is not None and w.noun.kind == "thing" for w in wanted[:2])
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest

@@ -11,6 +11,7 @@ from thinkblox.editing.reading.another_one import with_another
 from thinkblox.editing.reading.clauses import Clause, clauses, without_announcements, without_reasons
 from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
+from thinkblox.editing.reading.its_own import with_its_own
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
@@ -55,7 +56,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [without_slip(lexicon, token) for token in lexicon.tokens(plain)])
-    again = with_another(lexicon, with_verbs(lexicon, without_purposes(read)))
+    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(read))))
     owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
     said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
