@@ -132,6 +132,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
+        goals = goals or _at_window(work, category)
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
         id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
@@ -249,6 +250,13 @@ def _on_usual(work: Work, category: str, noun: Noun) -> str:
         work.restore(saved)
         del work.failed[said:]
     return ""
+
+
+def _at_window(work: Work, category: str) -> list[Goal]:
+    """That what hangs at windows, as curtains do, hangs at one also where nothing is said."""
+    habit = next(iter(load_habits().of(category)), None)
+    hangs = habit is not None and habit.anchors[:1] == ("window",) and work.source.usual(category)[1] == "wall"
+    return [Related(habit.kind, ("window",))] if hangs and habit is not None else []
 
 
 def _on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], goals: Sequence[Goal]) -> str:

@@ -1,4 +1,4 @@
-"""What is to be done only where something else cannot be: "..., otherwise ...", "remove the stool if it is in the way"."""
+"""What is done only where something else cannot be: "..., otherwise ...", "remove the stool if it is in the way"."""
 
 import re
 from collections.abc import Collection, Iterator

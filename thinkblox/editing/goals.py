@@ -13,7 +13,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import bearing, ground_gap
 from thinkblox.scene.free_parts import parts, takers
-from thinkblox.scene.landmarks import Landmark, things, walls
+from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
@@ -32,6 +32,8 @@ MID_WALL = 0.1
 """How far from the middle of a wall something stands at most that is to be there [m]."""
 CENTRAL = 0.6
 """How far from the middle of the room something stands at most that is to be there [m]."""
+SNUG = 0.15
+"""How far from its corner what is put into it stands at most [m]."""
 BESIDE_LINE = 0.3
 """How far from the line between two things something stands at most that is centred between them [m]."""
 STRAIGHT = 5.0
@@ -308,6 +310,18 @@ class Across(Related):
         held, says = super().check(before, after, id)
         _, left = things(after, self.anchors[0])[0].to_local(after[id].position[:2])
         return held and abs(left) <= BESIDE_LINE, f"{says}, {abs(left):.2f} m beside its middle"
+
+
+@dataclass(frozen=True)
+class IntoCorner(Related):
+    """It stands right in a corner, not only near it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far from the corner it is, at most SNUG."""
+        held, says = super().check(before, after, id)
+        mark = things(after, id)[0]
+        away = min((ground_gap(mark, corner) for corner in corners(after.room, self.anchors)), default=math.inf)
+        return held and away <= SNUG, says
 
 
 @dataclass(frozen=True)

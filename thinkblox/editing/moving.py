@@ -26,6 +26,7 @@ from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
     EXACT,
+    SNUG,
     Abreast,
     Across,
     Along,
@@ -36,6 +37,7 @@ from thinkblox.editing.goals import (
     Elsewhere,
     Free,
     Goal,
+    IntoCorner,
     IntoRoom,
     MidOf,
     Midway,
@@ -76,7 +78,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.rooms import COMPASS
 from thinkblox.scene.bearings import ground_gap
-from thinkblox.scene.landmarks import things, walls
+from thinkblox.scene.landmarks import corners, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
@@ -148,17 +150,28 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         ids = tuple(id for id in ids if id not in along and not moving & set(work.before.carriers(id)))
         ids = _by_slots(work, finder, ids, places)
         told = _to_one_wall(work, order, ids)
+        came: list[str] = []
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
                 continue
             seen.add(said)
             finder.scene, finder.about = work.scene, id
-            goals = _goals(work, finder, told, id, places, index, len(ids))
+            goals = _abreast(_goals(work, finder, told, id, places, index, len(ids)), came)
+            came.append(id)
             with_company(work, finder, order, id, lambda id=id, goals=goals: _move_and_turn(work, order, id, goals))  # type: ignore[misc]
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _abreast(goals: list[Goal], came: Sequence[str]) -> list[Goal]:
+    """The goals, where the second of several that go across from a thing stands beside the first."""
+    across = [goal for goal in goals if isinstance(goal, Across)]
+    if not across or not came:
+        return goals
+    beside: list[Goal] = [Related("facing", across[0].anchors), Abreast("next_to", (came[-1],))]
+    return [goal for goal in goals if goal not in across] + beside
 
 
 def _to_each_other(work: Work, finder: Finder, order: Order) -> None:
@@ -623,6 +636,8 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
+    if not order.direction and _into_corner(work, id, goals):
+        return
     if goals and not order.direction and all(_is_so(work, goal, id) for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
@@ -645,6 +660,30 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         done, goals = _to_place(work, order, id, goals)
     if done is None or not _with_its_worktop(work, id, goals):
         say(work, id, before, done, goals)
+
+
+def _into_corner(work: Work, id: str, goals: Sequence[Goal]) -> bool:
+    """Move something right into its corner; False where that is nowhere near, it is there, or cannot be."""
+    wanted = [g for g in goals if isinstance(g, Related) and g.kind == "in_corner" and not g.negated]
+    if len(wanted) != 1 or work.asset_of(id).mount != "floor":
+        return False
+    before, mark = work.scene[id], things(work.scene, id)[0]
+    found = corners(work.scene.room, wanted[0].anchors)
+    near = [corner for corner in found if ground_gap(mark, corner) <= SNUG]
+    there = [corner for corner in found if wanted[0].check(work.before, work.scene, id)[0]]
+    if near or not there:
+        return False
+    corner = min(found, key=lambda corner: ground_gap(mark, corner))
+    names = tuple(corner.name.removeprefix("corner of ").split(" and "))
+    snug: list[Goal] = [IntoCorner("in_corner", names), *(goal for goal in goals if goal is not wanted[0])]
+    saved, said = work.saved(), len(work.failed)
+    empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    if reach_goals(work, id, snug, direct=likely(empty, work.asset_of(id), snug), ask=False) is None:
+        say(work, id, before, None, goals)
+        return True
+    work.restore(saved)
+    del work.failed[said:]
+    return False
 
 
 def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple[Reaching | None, Sequence[Goal]]:

@@ -21,7 +21,7 @@ from thinkblox.editing.removing import take_away
 from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.telling import named
-from thinkblox.editing.wheres import Bound, bound
+from thinkblox.editing.wheres import Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed
@@ -68,10 +68,10 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     ids = work.touched(dict.fromkeys(found))
     first = order.instead[0]
     count, before = _how_many(order, ids, first.noun), work.scene
-    for id in ids[:count]:
+    for number, id in enumerate(ids[:count]):
         become = partial(_comes_in_place, work, id, first.noun)
         if with_seats(work, id, become, asked=bool(order.company)):
-            _place(work, finder, order, id, first)
+            _place(work, finder, order, id, first, number, count)
     if ids[count:]:
         take_away(work, ids[count:])
     _bring_more(work, finder, order, before, ids, count)
@@ -221,10 +221,13 @@ def _as_small(work: Work, id: str, asset: Asset) -> Asset:
     return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 
-def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -> None:
-    """Bring what has come to where it is said to stand."""
+def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase, number: int, count: int) -> None:
+    """Bring what has come to where it is said to stand: of several places, "one on each side", to its own."""
     category = work.scene[id].category
-    goals = [related(bound(where, category, finder), category) for where in new.places]
+    slots = [slots_of(where, category, finder) if count > 1 else [] for where in new.places]
+    there = [several[number] if len(several) == count else bound(where, category, finder)
+             for several, where in zip(slots, new.places, strict=True)]  # fmt: skip
+    goals = [related(place, category) for place in there]
     if goals:
         finder.scene = work.before = work.scene
         move_one(work, order, id, goals)

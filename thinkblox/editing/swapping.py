@@ -91,7 +91,11 @@ def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
     if not any(seats.values()):
         return False
     saved, said = work.saved(), (len(work.failed), len(work.notes))
-    bring_together(work, one, seats[one], lambda: bring_together(work, other, seats[other], lambda: _exchange(work, *ids)))
+
+    def second() -> None:
+        bring_together(work, other, seats[other], lambda: _exchange(work, *ids))
+
+    bring_together(work, one, seats[one], second)
     if len(work.failed) == said[0]:
         return True
     work.restore(saved)
