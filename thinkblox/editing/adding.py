@@ -97,7 +97,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     _check(noun)
     if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
         raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")
-    finder.about = ""
+    finder.about = _one_at(finder, phrase, places)
     places = anchored(finder, places)
     within, places = _with(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
@@ -259,6 +259,21 @@ def _at_window(work: Work, category: str) -> list[Goal]:
     return [Related(habit.kind, ("window",))] if hangs and habit is not None else []
 
 
+def _one_at(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> str:
+    """One of its kind from which "the other side of the island" is seen; empty where none is."""
+    other = [w for w in places if w.noun is not None and w.noun.kind == "part" and w.noun.det == "other"]
+    whole = other[0].whole if len(other) == 1 else None
+    if whole is None or whole.kind != "thing":
+        return ""
+    marks = finder.matching(whole)
+    kind = replace(phrase.noun, det="all", count=None, plural=True, attributes=[], unshown=[])
+    if len(marks) != 1:
+        return ""
+    mark = things(finder.scene, marks[0].id)[0]
+    alike = sorted(finder.matching(kind), key=lambda p: ground_gap(mark, things(finder.scene, p.id)[0]))
+    return alike[0].id if alike else ""
+
+
 def _on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], goals: Sequence[Goal]) -> str:
     """Add something small by a thing on the floor to what carries such things beside that: "a kettle by the stove".
 
@@ -266,8 +281,11 @@ def _on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], 
     """
     scene, beside = work.scene, [bound for bound in here if bound.kind in _BESIDE and not bound.negated]
     anchors = [name for bound in beside for name in bound.anchors if name in scene]
-    plain = len(anchors) == len(beside) == len(here) == len(goals) == 1 and not beside[0].upon
-    if not plain or work.source.usual(category)[1] != "surface" or scene[anchors[0]].support in scene:
+    plain = len(anchors) == len(beside) == len(here) == 1 and len(goals) <= 2
+    let_in = plain and facts_of(scene[anchors[0]].category).is_in("built_in")
+    if not plain or work.source.usual(category)[1] != "surface":
+        return ""
+    if not let_in and (beside[0].upon or len(goals) > 1 or scene[anchors[0]].support in scene):
         return ""
     mark, saved, said = things(scene, anchors[0])[0], work.saved(), len(work.failed)
     away = {id: ground_gap(things(scene, id)[0], mark) for id in usual_carriers(scene, category) if id != anchors[0]}

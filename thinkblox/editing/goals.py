@@ -11,7 +11,7 @@ from shapely.ops import nearest_points
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
-from thinkblox.scene.bearings import bearing, ground_gap
+from thinkblox.scene.bearings import bearing, ground_gap, place_of
 from thinkblox.scene.free_parts import parts, takers
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.placement import Placement
@@ -521,7 +521,7 @@ class BackTo(Untied):
             return True, f"{id} has no back"
         mark = things(after, id)[0]
         behind = min((m for name in self.anchors for m in things(after, name)), key=lambda m: ground_gap(mark, m))
-        x, y = nearest_points(behind.footprint, Point(mark.centre))[0].coords[0]
+        x, y = nearest_points(place_of(behind), Point(mark.centre))[0].coords[0]
         away = math.degrees(math.atan2(mark.centre[1] - y, mark.centre[0] - x))
         turn = turn_between(mark.gaze, away)
         return turn <= INTO_ROOM, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"

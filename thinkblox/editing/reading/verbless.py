@@ -56,14 +56,16 @@ def _made(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 def _instead(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     """Read "a round table instead" as "replace the table with a round table"; empty where it is nothing like that."""
-    said = _said(tokens)
-    if not said or said[-1].text != "instead" or any(token.kind == "mark" for token in said):
+    end = next((n for n, token in enumerate(tokens) if token.text == "instead"), len(tokens))
+    said, rest = _said(tokens[: end + 1]), list(tokens[end + 1 :])
+    goes_on = not _said(rest) or rest[0].kind == "mark" or rest[0].text == "and"
+    if not said or said[-1].text != "instead" or any(token.kind == "mark" for token in said) or not goes_on:
         return []
     begin = next((n for n, token in enumerate(said) if token.text in _NEW), None)
     if begin is None or (begin and not _asks(said, begin)):
         return []
     noun = _one_noun(lexicon, said[begin:-1])
-    if noun is None or not (noun.attributes or noun.size) or noun.degree:
+    if noun is None or not (noun.attributes or noun.size or noun.degree):
         return []
     named = [n for n in range(begin, len(said) - 1) if lexicon.longest(said, n).entry("object") is not None]
     last = said[-2]
@@ -72,7 +74,7 @@ def _instead(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         return []
     head = [*said[named[0] : -2], replace(last, text=one, shown=one, start=-1)]
     head = [replace(token, start=-1) for token in head]
-    return [_word("replace"), _word("the"), *head, _word("with"), *said[begin:-1]]
+    return [_word("replace"), _word("the"), *head, _word("with"), *said[begin:-1], *rest]
 
 
 def _asks(said: Sequence[Token], end: int) -> bool:
