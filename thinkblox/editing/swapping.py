@@ -10,7 +10,7 @@ from msgspec import structs
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
-from thinkblox.editing.company import REACH, bring_overhead, bring_together, mates_of, seats_at, with_company
+from thinkblox.editing.company import REACH, SITTING, bring_overhead, bring_together, mates_of, seats_at, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
@@ -86,7 +86,9 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
 
 def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
     """Let two things change places with the seats that are drawn up to them; whether they have some, and can so."""
-    seats = {id: seats_at(work.scene, id, besides={*ids, *finder.named, *work.kept}) for id in ids}
+    named_too = {*ids, *finder.named, *work.kept}
+    high = {id: work.scene[id].size[2] >= SITTING for id in ids}
+    seats = {id: seats_at(work.scene, id, besides=named_too) if high[id] else [] for id in ids}
     one, other = ids
     if not any(seats.values()):
         return False
