@@ -23,7 +23,7 @@ def with_another(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     Of "one of the same kind" nothing but the thing is left: what is added besides others is like them. What comes in
     place of something, or after that was taken away, is read with what it comes in place of.
     """
-    left = _without_kind(list(tokens))
+    left = _for_which_space(_without_kind(list(tokens)))
     for at in reversed(range(len(left))):
         length = _another_at(left, at)
         if not length:
@@ -85,6 +85,36 @@ def _named(lexicon: Lexicon, tokens: Sequence[Token], begin: int, end: int) -> l
         one = singular(last.text)
         return [*looks, *tokens[at : at + found.length - 1], replace(last, text=one, shown=one)]
     return []
+
+
+def _for_which_space(tokens: list[Token]) -> list[Token]:
+    """The tokens with "I need the space for a washing machine, so put one there" as "put a washing machine there".
+
+    So is "use the space for a desk".
+    """
+    words = [token.text for token in tokens]
+    for at in range(len(tokens) - 4):
+        space = at + 1 + (words[at + 1] in ("the", "that", "more", "some"))
+        if space + 2 >= len(words) or words[space] not in ("space", "room") or words[space + 1] != "for":
+            continue
+        named = space + 2
+        end = next((n for n in range(named, len(words)) if tokens[n].kind == "mark"), len(words))
+        if words[named] not in ("a", "an", "another"):
+            continue
+        if words[at] == "use":
+            put, there = (replace(tokens[at], text=text, shown=text, start=-1) for text in ("put", "there"))
+            return [*tokens[:at], replace(put, start=tokens[at].start), *tokens[named:end], there, *tokens[end:]]
+        so = end + 1 + (words[end + 1 : end + 2] == ["so"])
+        one = next((n for n in range(so, min(so + 3, len(words))) if words[n] == "one"), None)
+        begin = at - (at > 0 and words[at - 1] in ("i", "we"))
+        if (
+            words[at] in ("need", "want")
+            and begin < at
+            and one is not None
+            and longest("verbs", tokens, so) is not None
+        ):
+            return [*tokens[:begin], *tokens[so:one], *tokens[named:end], *tokens[one + 1 :]]
+    return tokens
 
 
 _KINDS = ("kind", "type", "sort", "style", "model", "design")

@@ -30,7 +30,7 @@ def with_its_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     "the desk and everything that belongs to it" is "the desk with its seats and everything on it"; "lengthwise along
     the window" is "with its long side along the window".
     """
-    return _lengthwise(_seated(lexicon, _belonging(list(tokens))))
+    return _lengthwise(_seated(lexicon, _coming_along(_belonging(list(tokens)))))
 
 
 def _words(text: str, start: Token | None = None) -> list[Token]:
@@ -48,6 +48,22 @@ def _belonging(tokens: list[Token]) -> list[Token]:
         end = at + 1 + len(found) if found is not None else len(left)
         if end < len(left) and left[end].text in ("it", "them") and left[at - 1].text in ("and", "with"):
             left[at - 1 : end + 1] = _words("with its seats and everything on it", left[at - 1])
+    return left
+
+
+def _coming_along(tokens: list[Token]) -> list[Token]:
+    """Read "(move the desk to the corner;) the chair comes along" as "keep the chair with it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 1)):
+        comes = left[at].text in ("comes", "come", "goes", "go") and left[at + 1].text in ("along", "too", "with")
+        begin = next((n for n in range(at - 1, max(at - 4, 0), -1) if left[n].text in ("the", "its", "their")), None)
+        linked = begin is not None and (left[begin - 1].kind == "mark" or left[begin - 1].text in ("and", "but"))
+        if not comes or begin is None or not linked:
+            continue
+        end = at + 2 + (left[at + 1].text == "along" and [t.text for t in left[at + 2 : at + 4]] == ["with", "it"]) * 2
+        end += left[at + 1].text == "with" and [t.text for t in left[at + 2 : at + 3]] == ["it"]
+        keep, link = _words("keep with it", left[begin])[:1], _words("with it")
+        left[begin:end] = [replace(keep[0], start=-1), *left[begin:at], *link]
     return left
 
 
