@@ -37,9 +37,11 @@ def into_corner(work: Work, id: str, goals: Sequence[Goal]) -> bool:
     snug: list[Goal] = [IntoCorner("in_corner", names), *(goal for goal in goals if goal is not wanted[0])]
     saved, said = work.saved(), len(work.failed)
     empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
-    if reach_goals(work, id, snug, direct=likely(empty, work.asset_of(id), snug), ask=False) is None:
+    failed = reach_goals(work, id, snug, direct=likely(empty, work.asset_of(id), snug), ask=False)
+    if failed is None:
         say(work, id, before, None, goals)
         return True
     work.restore(saved)
     del work.failed[said:]
+    work.notes.append(f"{id} cannot stand right in the corner: {failed.why}.")
     return False
