@@ -91,3 +91,11 @@ def test_a_length_behind_the_comparison_is_what_the_side_is_to_be() -> None:
 def test_an_area_that_is_named_by_two_things_is_told() -> None:
     with pytest.raises(InputError, match="no fireplace"):
         edit_room(living(), "Rearrange the sitting area around the fireplace")
+
+
+def test_another_one_is_of_what_the_edit_before_named() -> None:
+    first = done(built(room(), ("sofa_1", 3.0, 4.4, 270.0, "floor")), "Add a stool in the north-east corner")
+    second = edit_room(first, "Add another one next to the sofa.")
+    assert second.complete
+    assert [p.category for p in second.scene.placements].count("stool") == 2
+    assert any("taken to be another stool" in says for says in second.done)

@@ -91,6 +91,7 @@ def _fix_it(finder: Finder, order: Order) -> None:
 
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
+    phrase = _one_more(finder, phrase)
     noun = phrase.noun
     if (in_rows := _add_in_rows(work, finder, order, phrase, places)) is not None:
         return in_rows
@@ -144,6 +145,20 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
+    """Read "another one" as one more of what was named last, in this instruction or the edit before, which is said."""
+    noun, last = phrase.noun, [id for id in (*finder.recent, *finder.past.about) if id in finder.scene]
+    bare = noun.kind in ("number", "pronoun") and noun.text.lower() in ("another", "another one", "one more")
+    if not bare or not last:
+        return phrase
+    category = finder.scene[last[-1]].category
+    finder.seen.append(
+        f"'{noun.text}' is taken to be another {category.replace('_', ' ')}, as {last[-1]} was named last"
+    )
+    one = Noun("thing", category, 0, 0, f"another {category.replace('_', ' ')}", det="another", named=True)
+    return replace(phrase, noun=one)
 
 
 def _add_in_rows(
