@@ -7,7 +7,7 @@ import pytest
 from tests.edited_rooms import bedroom, built, living, room
 from tests.test_editing_guard import done
 from thinkblox import edit_room
-from thinkblox.editing.edit import _joined
+from thinkblox.editing.joining import joined
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 
@@ -139,7 +139,7 @@ def test_a_list_behind_a_colon_is_added() -> None:
 
 def test_kept_facing_is_turned_so_after_it_was_replaced() -> None:
     read = read_instruction("Replace both stools with chairs but keep them facing the desk")
-    assert [o.doing for o in _joined(read.orders)] == ["replace", "turn"]
+    assert [o.doing for o in joined(read.orders)] == ["replace", "turn"]
 
 
 def test_what_is_told_of_people_asks_for_nothing() -> None:

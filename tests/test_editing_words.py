@@ -9,7 +9,7 @@ import pytest
 from tests.edited_rooms import bedroom, bytes_of, dining, living, placed, same_but
 from thinkblox import Edit, Scene, edit_room, save_room, undo_edit
 from thinkblox.cli import main
-from thinkblox.editing.edit import _joined
+from thinkblox.editing.joining import joined
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.scene.bearings import ground_gap
@@ -435,7 +435,7 @@ def test_an_edited_room_has_its_score_and_so_has_one_taken_back() -> None:
 )
 def test_an_order_is_told_however_it_is_said(said: str, doing: str) -> None:
     read = read_instruction(said)
-    assert [order.doing for order in _joined(read.orders)] == [doing]
+    assert [order.doing for order in joined(read.orders)] == [doing]
     assert not read.unknown
 
 

@@ -137,6 +137,8 @@ def prefer_sides(
     work.restore(saved)
     if not any(reach(other) for other in _sideways(work.scene, goals)):
         work.world = first
+        beside = [g.anchors[0] for g in goals if isinstance(g, Related) and g.kind == "next_to" and g.anchors]
+        work.notes += [f"{id} stands before or behind {name}, at whose sides there is no room." for name in beside[:1]]
 
 
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:

@@ -34,6 +34,8 @@ from thinkblox.reading.measures import object_size
 from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import BACK_GAP, EYE
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
@@ -42,6 +44,9 @@ from thinkblox.value import Vec2
 
 THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
+NEIGHBOUR = 0.6
+"""How far from a thing something stands at most on which small things are by that [m]."""
+_BESIDE = ("next_to", "near", "left_of", "right_of")
 MOST = 20
 """Most things that one order adds."""
 
@@ -86,13 +91,14 @@ def _fix_it(finder: Finder, order: Order) -> None:
 
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
+    phrase = _one_more(finder, phrase)
     noun = phrase.noun
     if (in_rows := _add_in_rows(work, finder, order, phrase, places)) is not None:
         return in_rows
     _check(noun)
     if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
         raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")
-    finder.about = ""
+    finder.about = _one_at(finder, phrase, places)
     places = anchored(finder, places)
     within, places = _with(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
@@ -127,8 +133,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
+        goals = goals or _at_window(work, category)
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
+        id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
         id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
             break
@@ -137,6 +145,20 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
+    """Read "another one" as one more of what was named last, in this instruction or the edit before, which is said."""
+    noun, last = phrase.noun, [id for id in (*finder.recent, *finder.past.about) if id in finder.scene]
+    bare = noun.kind in ("number", "pronoun") and noun.text.lower() in ("another", "another one", "one more")
+    if not bare or not last:
+        return phrase
+    category = finder.scene[last[-1]].category
+    finder.seen.append(
+        f"'{noun.text}' is taken to be another {category.replace('_', ' ')}, as {last[-1]} was named last"
+    )
+    one = Noun("thing", category, 0, 0, f"another {category.replace('_', ' ')}", det="another", named=True)
+    return replace(phrase, noun=one)
 
 
 def _add_in_rows(
@@ -239,6 +261,52 @@ def _on_usual(work: Work, category: str, noun: Noun) -> str:
     saved, said = work.saved(), len(work.failed)
     for carrier in carriers[:CARRIERS]:
         if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
+            return id
+        work.restore(saved)
+        del work.failed[said:]
+    return ""
+
+
+def _at_window(work: Work, category: str) -> list[Goal]:
+    """That what hangs at windows, as curtains do, hangs at one also where nothing is said."""
+    habit = next(iter(load_habits().of(category)), None)
+    hangs = habit is not None and habit.anchors[:1] == ("window",) and work.source.usual(category)[1] == "wall"
+    return [Related(habit.kind, ("window",))] if hangs and habit is not None else []
+
+
+def _one_at(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> str:
+    """One of its kind from which "the other side of the island" is seen; empty where none is."""
+    other = [w for w in places if w.noun is not None and w.noun.kind == "part" and w.noun.det == "other"]
+    whole = other[0].whole if len(other) == 1 else None
+    if whole is None or whole.kind != "thing":
+        return ""
+    marks = finder.matching(whole)
+    kind = replace(phrase.noun, det="all", count=None, plural=True, attributes=[], unshown=[])
+    if len(marks) != 1:
+        return ""
+    mark = things(finder.scene, marks[0].id)[0]
+    alike = sorted(finder.matching(kind), key=lambda p: ground_gap(mark, things(finder.scene, p.id)[0]))
+    return alike[0].id if alike else ""
+
+
+def _on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], goals: Sequence[Goal]) -> str:
+    """Add something small by a thing on the floor to what carries such things beside that: "a kettle by the stove".
+
+    Empty where nothing beside it carries it, or where it is said otherwise.
+    """
+    scene, beside = work.scene, [bound for bound in here if bound.kind in _BESIDE and not bound.negated]
+    anchors = [name for bound in beside for name in bound.anchors if name in scene]
+    plain = len(anchors) == len(beside) == len(here) == 1 and len(goals) <= 2
+    let_in = plain and facts_of(scene[anchors[0]].category).is_in("built_in")
+    if not plain or work.source.usual(category)[1] != "surface":
+        return ""
+    if not let_in and (beside[0].upon or len(goals) > 1 or scene[anchors[0]].support in scene):
+        return ""
+    mark, saved, said = things(scene, anchors[0])[0], work.saved(), len(work.failed)
+    away = {id: ground_gap(things(scene, id)[0], mark) for id in usual_carriers(scene, category) if id != anchors[0]}
+    for carrier in sorted((id for id in away if away[id] <= NEIGHBOUR), key=lambda id: away[id]):
+        on: list[Goal] = [Related("near", (anchors[0],)), Related("on", (carrier,))]
+        if id := add_one(work, category, noun, on):
             return id
         work.restore(saved)
         del work.failed[said:]
@@ -400,8 +468,25 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
     return thing.noun
 
 
-def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, asset: Asset | None = None) -> str:
-    """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted."""
+def add_one(
+    work: Work,
+    category: str,
+    noun: Noun,
+    goals: Sequence[Goal],
+    *,
+    asset: Asset | None = None,
+    first: Sequence[Pose] = (),
+) -> str:
+    """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted.
+
+    Args:
+        work: the edit.
+        category: of the thing.
+        noun: what is said of it.
+        goals: where it is to be.
+        asset: which it is to be; one as is said when not given.
+        first: poses that are tried before others.
+    """
     id = work.new_id(category)
     if load_habits().is_in(category, "screens"):
         others = [p.id for p in work.scene.placements if load_habits().is_in(p.category, "screens")]
@@ -417,7 +502,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     )
     asset = asset or _asset(work, target, same=noun.degree == SAME)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
-    direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
+    direct = chain(first, _between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     if any(isinstance(goal, Laid) for goal in goals):
         direct = chain(likely(work.scene, asset, goals), direct)
     direct = chain(_where_it_was(asset, goals), direct)

@@ -26,8 +26,10 @@ ASIDE = 0.3
 """How far it may then stand from where it stood to that thing, at most half as far as it has come [m]."""
 SAME_GAP = 0.05
 """By how much further than from another of its kind something may stand from what it belongs to [m]."""
+SITTING = 0.55
+"""How high a table is at least that seats are drawn up to, so that they go along with it [m]."""
 TOO_FAR = 1.2
-"""From how far a thing that is only turned would have to be moved its seats go along, if it then need not be [m]."""
+"""From how far a low table that is turned would have to be moved its seats go along, if it need not be then [m]."""
 REACH = 0.8
 """How far from a thing its company stands at most [m]."""
 
@@ -35,7 +37,7 @@ REACH = 0.8
 def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable[[], None]) -> None:
     """Do something with one thing, and bring what the order names along to the same places beside it.
 
-    Where nothing is named, the seats that are drawn up to it go along if it cannot be done without them.
+    Where nothing is named, the seats that are drawn up to it go along where they can, and it is done without them else.
     """
     mates = company_of(work, finder, order, id)
     if mates:
@@ -43,22 +45,42 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
         return
     if bring_overhead(work, [id], do):
         return
+    seats = [] if order.rest or order.company else seats_at(work.scene, id, besides={*finder.named, *work.kept})
+    if not seats:
+        do()
+    elif work.scene[id].size[2] < SITTING:
+        _first_without(work, id, seats, do, turned=order.doing == "turn")
+    elif not bring_or_leave(work, id, seats, do, f"went along with {id}, as seats do that are drawn up to it"):
+        do()
+        _say_left(work, id, seats)
+
+
+def bring_or_leave(work: Work, id: str, seats: Sequence[str], do: Callable[[], None], says: str) -> bool:
+    """Do something with a thing and its seats; False where that cannot be: then nothing is done."""
+    before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
+    bring_together(work, id, seats, do)
+    if len(work.failed) > said[0]:
+        work.restore(saved)
+        del work.failed[said[0] :], work.notes[said[1] :]
+        return False
+    if work.scene[id] != before[id]:
+        work.notes.append(f"{', '.join(seats)} {says}.")
+    return True
+
+
+def _first_without(work: Work, id: str, seats: Sequence[str], do: Callable[[], None], *, turned: bool) -> None:
+    """Do something with a low table, with the seats that are near it only where it cannot be done without them."""
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
-    seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
-    shifted = order.doing == "turn" and math.dist(before[id].position, work.scene[id].position) > TOO_FAR
-    if not seats or (len(work.failed) == said[0] and not shifted):
+    shifted = turned and math.dist(before[id].position, work.scene[id].position) > TOO_FAR
+    if len(work.failed) == said[0] and not shifted:
         _say_left(work, id, seats)
         return
     alone = work.world, work.failed[said[0] :], work.notes[said[1] :], work.done[saved[1] :], work.wishes[saved[2] :]
     work.restore(saved)
     del work.failed[said[0] :], work.notes[said[1] :]
-    bring_together(work, id, seats, do)
-    if len(work.failed) == said[0]:
-        if work.scene[id] != before[id]:
-            work.notes.append(f"{', '.join(seats)} went along, as {id} cannot be there without them.")
+    if bring_or_leave(work, id, seats, do, f"went along, as {id} cannot be there without them"):
         return
-    work.restore(saved)
     work.world, work.failed[said[0] :], work.notes[said[1] :] = alone[:3]
     work.done += alone[3]
     work.wishes += alone[4]

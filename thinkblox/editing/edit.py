@@ -1,7 +1,7 @@
 """Editing a finished room by instructions: what is named changes and is measured, everything else stays as it is."""
 
 import dataclasses
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -15,17 +15,18 @@ from thinkblox.brief import Brief
 from thinkblox.editing.antecedents import with_antecedents
 from thinkblox.editing.company import left_behind
 from thinkblox.editing.ensuring import bring, ensure
+from thinkblox.editing.falling_back import Reading, readings
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.formations import form, formation_of
 from thinkblox.editing.goals import Related
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
+from thinkblox.editing.joining import is_that, joined
 from thinkblox.editing.making import hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
-from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
@@ -33,7 +34,7 @@ from thinkblox.editing.spacing import space
 from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
-from thinkblox.editing.telling import by_distance, named
+from thinkblox.editing.telling import named
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
 from thinkblox.editing.wheres import Bound, slots_of
@@ -47,7 +48,6 @@ from thinkblox.players import EXPERT, players
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.tokens import tokenise
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
@@ -61,10 +61,6 @@ from thinkblox.verdict import Report
 
 What = Literal["added", "removed", "replaced", "moved", "turned", "carried"]
 Doer = Callable[[Work, Finder, Order], None]
-_ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
-_TURNABLE = ("replace", "move", "put", "add", "make", "swap")
-"""Orders after which "keep them facing the window" says how what they were about is turned."""
-_CARRYING = ("move", "put", "turn", "replace", "make")
 _ON_EITHER = ("remove", "replace", "make", "move", "turn")
 _RESTING = ("on", "in", "inside", "on_top", "from")
 
@@ -191,20 +187,45 @@ def edit_room(
     if policy is not None and not callable(getattr(policy, "propose", None)):
         raise InputError(f"the policy is a {type(policy).__name__}, which has no propose(); see thinkblox.policies")
     made = _opened(room)
-    read = read_instruction(instruction, [p.id for p in made.scene.placements])
-    work = Work(
-        World(made.scene, tolerances=tolerances or Tolerances()),
-        prompt=f"{made.scene.prompt}\nNow: {instruction.strip()}".strip(),
-        planned=made.episode.plan if made.episode is not None else None,
-        policy=policy or ExpertPolicy(),
-        source=source or ProceduralAssets(),
-        effort=effort or Effort(rounds=2),
-        rng=np.random.default_rng((seed, 11)),
-        seed=seed,
-    )
     past = past_of(made.episode.standing) if made.episode is not None else Past()
-    about = _carry_out(work, read, past)
+
+    def begun() -> Work:
+        return Work(
+            World(made.scene, tolerances=tolerances or Tolerances()),
+            prompt=f"{made.scene.prompt}\nNow: {instruction.strip()}".strip(),
+            planned=made.episode.plan if made.episode is not None else None,
+            policy=policy if policy is not None and not isinstance(policy, str) else ExpertPolicy(),
+            source=source or ProceduralAssets(),
+            effort=effort or Effort(rounds=2),
+            rng=np.random.default_rng((seed, 11)),
+            seed=seed,
+        )
+
+    work, read, about = _first_that_can_be(begun, readings(instruction, made.scene), past)
     return _finished(work, made, read, tolerances, about)
+
+
+def _first_that_can_be(
+    begun: Callable[[], Work], ways: Iterable[Reading], past: Past
+) -> tuple[Work, Instruction, tuple[str, ...]]:
+    """The first of several ways to carry an instruction out in which everything is done, else that with most of it."""
+    best: tuple[Work, Instruction, tuple[str, ...]] | None = None
+    for way in ways:
+        work = begun()
+        try:
+            about = _carry_out(work, way.instruction, past)
+        except InputError:
+            if best is None:
+                raise
+            continue
+        if best is None or len(work.failed) < len(best[0].failed):
+            best = work, way.instruction, about
+            work.notes += [way.says] if way.says and not work.failed else []
+        if not work.failed:
+            break
+    if best is None:
+        raise InputError("the instruction does not say what to do")
+    return best
 
 
 def undo_edit(room: Made | str | Path) -> Edit:
@@ -452,6 +473,27 @@ def _on_its_carrier(finder: Finder, phrase: NounPhrase, id: str) -> bool:
     return carrier in finder.scene and carrier in named_
 
 
+_BY = ("above", "next_to", "near", "by", "at", "in_front_of", "behind", "left_of", "right_of", "under", "around")
+
+
+def _marks_of(finder: Finder, phrase: NounPhrase) -> list[str]:
+    """The things at which something is said to stay: "the mirror stays above the washbasin"."""
+    nouns = [w.noun for w in phrase.places if w.word in _BY and not w.negated and w.noun is not None]
+    return [p.id for noun in nouns if noun.kind == "thing" for p in finder.matching(noun)]
+
+
+def _follow(work: Work, finder: Finder, order: Order) -> None:
+    """Let what is to stay at a thing go where that has gone."""
+    before = dataclasses.replace(finder, scene=work.start)
+    gone = [
+        id in work.scene and id in work.start and work.scene[id] != work.start[id]
+        for phrase in order.things
+        for id in _marks_of(before, phrase)
+    ]
+    if order.doing == "keep" and any(gone) and all(phrase.places for phrase in order.things):
+        order.doing = "put"
+
+
 def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What a phrase says is to stay; "its stand" is every stand that it could be."""
     if phrase.noun.kind not in ("thing", "number"):
@@ -501,12 +543,15 @@ def _do(work: Work, finder: Finder, order: Order) -> None:
 def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
     """Do what was read; the ids of what it has named last."""
     finder = Finder(work.scene, past=past, start=work.start)
-    orders = in_turn(with_antecedents(_joined(read.orders), finder), finder)
+    orders = in_turn(with_antecedents(joined(read.orders), finder), finder)
     _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     moves = all(order.doing in _MOVING for order in orders)
     work.kept = frozenset(
-        id for phrase in kept for id in _kept(finder, phrase) if not (moves and _on_its_carrier(finder, phrase, id))
+        id
+        for phrase in kept
+        for id in _kept(finder, phrase)
+        if not (moves and (_on_its_carrier(finder, phrase, id) or _marks_of(finder, phrase)))
     )
     if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
         work.kept |= {p.id for p in work.scene.placements}
@@ -521,6 +566,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
             continue
         try:
             _on_either(order, finder)
+            _follow(work, finder, order)
             _check_back(order, finder)
             _do(work, finder, order)
         except InputError as error:
@@ -553,7 +599,7 @@ def _check_back(order: Order, finder: Finder) -> None:
     Raises:
         InputError: it is that.
     """
-    again = bool(order.things) and all(_is_that(phrase.noun) for phrase in order.things)
+    again = bool(order.things) and all(is_that(phrase.noun) for phrase in order.things)
     bare = order.doing in ("move", "put") and order.direction == "back" and not (order.lengths or order.slight)
     if again and bare and not finder.recent and finder.past.about:
         raise InputError(f"'{order.text}': the last edit is taken back with --undo; or say how far back, or to what")
@@ -610,129 +656,10 @@ def _tell_others(orders: Sequence[Order], finder: Finder) -> None:
                     later.things = []
 
 
-def _only_faces(order: Order) -> bool:
-    """Whether an order to turn things says what they are to face, and no more."""
-    way = order.turn is not None or order.sense or order.slight or order.direction or order.backs or order.mutual
-    return order.doing == "turn" and not way
-
-
 def _is_of_anything(order: Order) -> bool:
     """Whether it says "don't move anything", of nothing but what is added then."""
     words = order.text.lower().split()
     return "anything" in words and "else" not in words
-
-
-def _joined(orders: Sequence[Order]) -> list[Order]:
-    """The orders, where "and turn it to face the room" belongs to the move before it.
-
-    "Take a chair and put it there" is one order, and "keep the chairs around it" says what goes along.
-    """
-    joined: list[Order] = []
-    for order in _with_seats_apart(_of_those_kept(orders)):
-        last = joined[-1] if joined else None
-        _as_is_meant(last, order)
-        if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
-            taken = dataclasses.replace(last.things[-1], places=_both(last, order))
-            order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
-            joined[-1] = order
-            continue
-        back = order.doing == "keep" or (order.doing in ("put", "move") and "back" in order.text.lower().split())
-        along = last is not None and order.doing in ("put", "move") and _is_with_it(order)
-        if last is not None and (along or (back and _keeps_by_it(order))) and last.doing in _CARRYING:
-            last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
-            continue
-        if last is not None and last.doing == "remove" and _comes_there(order):
-            order.doing, order.instead, order.things, order.there = "replace", order.things, last.things, False
-            joined[-1] = order
-            continue
-        if last is not None and order.doing in ("put", "add"):
-            _name_one(last, order)
-        same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
-        if joined and same and _only_faces(order) and joined[-1].doing in _ONTO_KNOWN[:3]:
-            facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
-            joined[-1].facing += [*order.facing, *facing]
-        else:
-            joined.append(order)
-    for order in joined:
-        if _taken_off(order):
-            order.doing = "remove"
-    return joined
-
-
-def _with_seats_apart(orders: Sequence[Order]) -> list[Order]:
-    """The orders with "make the table bigger, with six chairs" as that, and an order that six chairs are around it."""
-    left: list[Order] = []
-    for order in orders:
-        left.append(order)
-        for phrase in order.things if order.doing == "make" and (order.change or order.looks or order.lengths) else ():
-            said = [w for w in phrase.places if w.word == "with" and w.noun is not None and w.noun.kind == "thing"]
-            along = [w for w in said if w.noun is not None and w.noun.count]
-            theirs = [w.noun for w in said if w.noun is not None and w.noun.det == "my" and w.noun.plural]
-            order.company += [NounPhrase(noun) for noun in theirs]
-            phrase.places = [w for w in phrase.places if w not in along and w.noun not in theirs]
-            head = dataclasses.replace(phrase.noun, det="the")
-            seats = [
-                NounPhrase(w.noun, places=[Where("around", head, text="around")]) for w in along if w.noun is not None
-            ]
-            left += [Order("ensure", order.text, things=[seat], total=True) for seat in seats]
-    return left
-
-
-def _as_is_meant(last: Order | None, order: Order) -> None:
-    """Let "but keep them facing the door" turn what was replaced, and "get another chair (and put it there)" add it."""
-    if last is not None and last.doing in _TURNABLE and _keeps_facing(order):
-        order.doing = "turn"
-    if last is not None and _fetches_another(last):
-        last.doing = "add"
-
-
-def _of_those_kept(orders: Sequence[Order]) -> list[Order]:
-    """The orders with "keep four desks and remove the rest" as one by which only four of the desks stay."""
-    left: list[Order] = []
-    for order in orders:
-        if left and left[-1].doing == "keep" and _is_rest_of_them(left[-1], order):
-            order.doing, order.things, order.rest, order.total = "only", left.pop().things, False, True
-        left.append(order)
-    return left
-
-
-def _is_rest_of_them(last: Order, order: Order) -> bool:
-    """Whether "(keep four desks and remove) the rest", "the others" are the others of the same kind."""
-    nouns = [phrase.noun for phrase in last.things]
-    counted = bool(nouns) and all(noun.kind == "thing" and noun.count and not noun.definite for noun in nouns)
-    bare = order.rest and not (order.things or order.places) and "rest" in order.text.lower().split()
-    others = [(phrase.noun.kind, phrase.noun.value) for phrase in order.things] == [("pronoun", "other")]
-    return counted and not last.places and order.doing == "remove" and (bare or others)
-
-
-def _fetches_another(order: Order) -> bool:
-    """Whether it says "get another chair", which is added wherever it goes then."""
-    fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
-    return fetched and _takes(order) and all(phrase.noun.det == "another" for phrase in order.things)
-
-
-def _name_one(last: Order, order: Order) -> None:
-    """Let "a round one" that is put somewhere be a new one of what was just taken away."""
-    noun, known = (o.things[-1].noun if o.things else None for o in (order, last))
-    if last.doing != "remove" or noun is None or known is None or len(order.things) != 1:
-        return
-    if noun.kind == "number" and noun.det in ("a", "another") and known.kind == "thing" and not noun.degree:
-        named = dataclasses.replace(noun, kind="thing", value=known.value, named=known.named)
-        order.things[-1] = dataclasses.replace(order.things[-1], noun=named)
-
-
-def _comes_there(order: Order) -> bool:
-    """Whether "a bigger one" is put where something was taken away."""
-    return order.doing in ("put", "add") and order.there and [p.noun.kind for p in order.things] == ["number"]
-
-
-def _taken_off(order: Order) -> bool:
-    """Whether "take the lamp off the desk" is all that is said: it is taken away."""
-    off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
-    everything = order.rest and not order.things and [w.word for w in order.places] == ["from"]
-    last = bool(off) and not any(phrase.places for phrase in order.things[:-1])
-    taken = (_takes(order) and last) or (order.doing == "move" and everything)
-    return taken and order.text.lower().startswith("take ")
 
 
 def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
@@ -749,49 +676,6 @@ def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
         del work.done[said:]
         work.wishes = [wish for wish in work.wishes if wish.order < work.order[0]]
         work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
-
-
-def _takes(order: Order) -> bool:
-    """Whether an order names things to be moved and not where to."""
-    alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
-    places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
-    placed = any(w.word != "from" and not by_distance(w) for w in places)
-    return order.doing == "move" and alone and bool(order.things) and not placed
-
-
-def _is_of_it(order: Order) -> bool:
-    return (
-        bool(order.things) and order.things[0].noun.kind == "pronoun" and order.things[0].noun.value in ("it", "them")
-    )
-
-
-def _both(last: Order, order: Order) -> list[Where]:
-    """Where a thing is taken from, and where it is put."""
-    return [*last.things[-1].places, *last.places, *order.things[0].places, *order.places]
-
-
-def _is_with_it(order: Order) -> bool:
-    """Whether things are to come along with what was just named: "and bring the nightstands with it"."""
-    said = [w for phrase in order.things for w in phrase.places]
-    told = order.places or order.closer or order.apart or order.direction or order.facing
-    return bool(said) and not told and all(w.word == "with" and _is_that(w.noun) for w in said)
-
-
-def _is_that(noun: Noun | None) -> bool:
-    return noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them")
-
-
-def _keeps_facing(order: Order) -> bool:
-    """Whether an order keeps what was just named turned to something: "but keep them facing the window"."""
-    places = [w for phrase in order.things for w in phrase.places]
-    told = bool(order.facing or order.backs or places) and all(w.word == "facing" for w in places)
-    return order.doing == "keep" and told and bool(order.things) and all(_is_that(p.noun) for p in order.things)
-
-
-def _keeps_by_it(order: Order) -> bool:
-    """Whether an order keeps things where they stand to what was just named: "keep the chairs around it"."""
-    nouns = [w.noun for phrase in order.things for w in phrase.places]
-    return bool(nouns) and all(map(_is_that, nouns))
 
 
 # --- the outcome

@@ -1,8 +1,9 @@
-"""Desks and tables arranged in rows, or in groups whose desks face each other, each with what is drawn up to it."""
+"""Desks and tables arranged in rows, in a U, or in groups that face each other, each with what is drawn up to it."""
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from thinkblox.editing.acting import mark_names, moved_words
 from thinkblox.editing.carrying import put_back, take
@@ -45,14 +46,17 @@ Cell = tuple[Vec2, float]
 
 @dataclass(frozen=True)
 class Formation:
-    """So many rows, or groups, of so many things each."""
+    """So many rows, or groups, of so many things each; of a U the row at its back and two sides of `each`."""
 
     parts: int
     each: int
     grouped: bool
+    in_u: bool = False
 
     def words(self) -> str:
         """In words."""
+        if self.in_u:
+            return f"a U with {self.each} at either side"
         return f"{self.parts} {'groups' if self.grouped else 'rows'} of {self.each}"
 
 
@@ -65,10 +69,18 @@ def formation_of(order: Order) -> Where | None:
 
 
 def _is_formed(noun: Noun | None) -> bool:
+    if noun is not None and _is_u(noun):
+        return True
     if noun is None or noun.kind != "number" or noun.ordinal:
         return False
     words = noun.text.lower().split()
     return noun.rows > 1 or (bool(noun.count) and "groups" in words)
+
+
+def _is_u(noun: Noun) -> bool:
+    """Whether it is "a U", "a U shape", "a horseshoe"."""
+    words = noun.text.lower().replace("-", " ").removeprefix("a ").removeprefix("the ").split()
+    return words in (["u"], ["u", "shape"], ["u", "formation"], ["horseshoe"], ["horseshoe", "shape"])
 
 
 def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
@@ -88,7 +100,9 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
         return
     before, saved, said = work.scene, work.saved(), len(work.failed)
     why = ""
-    for cells in _cells(before, ids, formation, gaze):
+    said_so = bool(order.facing or any(w.word == "facing" for p in order.things for w in p.places))
+    ways = [gaze] if said_so or not formation.in_u else [(gaze + turn) % 360.0 for turn in (0.0, 90.0, 180.0, 270.0)]
+    for cells in chain.from_iterable(_cells(before, ids, formation, way) for way in ways):
         if not _look_free(before, ids, cells):
             continue
         failed = _moved(work, before, ids, cells)
@@ -116,6 +130,10 @@ def _formation(order: Order, noun: Noun | None, count: int) -> Formation:
         InputError: it is of another number of them.
     """
     text = noun.text.lower() if noun is not None else ""
+    if noun is not None and _is_u(noun):
+        if count < 3:
+            raise InputError(f"'{order.text}': there are {count} of them, which make no U")
+        return Formation(1, count // 3, grouped=False, in_u=True)
     counted = [int(found.value) for word in tokenise(text) if (found := grammar().at([word], 0, "count")) is not None]
     counted = counted or [int(token.text) for token in tokenise(text) if token.kind == "number"]
     grouped = "groups" in text.split()
@@ -147,7 +165,7 @@ def _is_so(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
     same = all(turn_between(looks_to(scene, scene[id]), gaze) <= SAME_WAY for id in ids)
     sizes = [len(row) for row in rows]
     even = len(rows) == formation.parts and max(sizes) == formation.each and sum(sizes) == len(ids)
-    return same and even and not formation.grouped
+    return same and even and not (formation.grouped or formation.in_u)
 
 
 def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) -> Iterator[dict[str, Cell]]:
@@ -160,7 +178,8 @@ def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
     middles = near_offsets(AROUND)
     for behind in BEHIND:
         for beside in BESIDE:
-            local = list(_blocks(formation, deep, wide, sit + behind, beside) if formation.grouped
+            local = list(_u(formation, len(ids), deep, wide, beside) if formation.in_u
+                         else _blocks(formation, deep, wide, sit + behind, beside) if formation.grouped
                          else _ranks(formation, len(ids), deep, wide, sit + behind, beside))  # fmt: skip
             for dx, dy in middles[:: max(1, len(middles) // TRIES)]:
                 cells = [(_placed((x + dx, y + dy), gaze, spot), (gaze + turn) % 360.0) for spot, turn in local]
@@ -193,6 +212,19 @@ def _blocks(formation: Formation, deep: float, wide: float, behind: float, besid
             along = (column + 0.5) * (wide + TOUCHING) - long / 2
             out = (deep + TOUCHING) / 2 * (1.0 if line else -1.0)
             yield (along, middle + out), -90.0 if line else 90.0
+
+
+def _u(formation: Formation, count: int, deep: float, wide: float, beside: float) -> Iterator[Cell]:
+    """A line at the back that looks ahead, to the open side, and one along either side that looks to the other."""
+    line = count - 2 * formation.each
+    step = wide + beside / 2
+    back = -formation.each * step / 2
+    aside = max((line - 1) / 2 * step + wide / 2, wide / 2) + deep / 2 + beside
+    for n in range(line):
+        yield (back, ((line - 1) / 2 - n) * step), 0.0
+    for left, turn in ((1.0, -90.0), (-1.0, 90.0)):
+        for n in range(formation.each):
+            yield (back + deep / 2 + beside + wide / 2 + n * step, left * aside), turn
 
 
 def _placed(centre: Vec2, gaze: float, spot: Vec2) -> Vec2:

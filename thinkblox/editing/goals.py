@@ -11,9 +11,9 @@ from shapely.ops import nearest_points
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
-from thinkblox.scene.bearings import bearing, ground_gap
+from thinkblox.scene.bearings import bearing, ground_gap, place_of
 from thinkblox.scene.free_parts import parts, takers
-from thinkblox.scene.landmarks import Landmark, things, walls
+from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
@@ -32,6 +32,8 @@ MID_WALL = 0.1
 """How far from the middle of a wall something stands at most that is to be there [m]."""
 CENTRAL = 0.6
 """How far from the middle of the room something stands at most that is to be there [m]."""
+SNUG = 0.15
+"""How far from its corner what is put into it stands at most [m]."""
 BESIDE_LINE = 0.3
 """How far from the line between two things something stands at most that is centred between them [m]."""
 STRAIGHT = 5.0
@@ -311,6 +313,18 @@ class Across(Related):
 
 
 @dataclass(frozen=True)
+class IntoCorner(Related):
+    """It stands right in a corner, not only near it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far from the corner it is, at most SNUG."""
+        held, says = super().check(before, after, id)
+        mark = things(after, id)[0]
+        away = min((ground_gap(mark, corner) for corner in corners(after.room, self.anchors)), default=math.inf)
+        return held and away <= SNUG, says
+
+
+@dataclass(frozen=True)
 class AtHead(Related):
     """It stands beside the end of a thing that is behind, as the head of a bed is."""
 
@@ -507,7 +521,7 @@ class BackTo(Untied):
             return True, f"{id} has no back"
         mark = things(after, id)[0]
         behind = min((m for name in self.anchors for m in things(after, name)), key=lambda m: ground_gap(mark, m))
-        x, y = nearest_points(behind.footprint, Point(mark.centre))[0].coords[0]
+        x, y = nearest_points(place_of(behind), Point(mark.centre))[0].coords[0]
         away = math.degrees(math.atan2(mark.centre[1] - y, mark.centre[0] - x))
         turn = turn_between(mark.gaze, away)
         return turn <= INTO_ROOM, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"

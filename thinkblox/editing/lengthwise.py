@@ -1,5 +1,6 @@
-"""What stands along a wall with its long or its short side, whichever of its sides that is."""
+"""What stands along a wall or a window with its long or its short side, whichever of its sides that is."""
 
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -12,6 +13,7 @@ from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 
@@ -30,6 +32,9 @@ def lengthwise(work: Work, finder: Finder, id: str, where: Where) -> Iterator[Go
         InputError: all of its sides are as long, or it could be several walls.
     """
     deep, wide, _ = work.scene[id].size
+    if where.noun is not None and where.noun.kind == "place" and where.noun.value == "window":
+        yield from _before_window(work, id, where, wide > deep)
+        return
     names = bound(Where("against", where.noun, text="against"), work.scene[id].category, finder).anchors
     walls = [wall for wall in work.scene.room.walls if wall.name in names]
     if abs(deep - wide) < ALIKE:
@@ -44,6 +49,27 @@ def lengthwise(work: Work, finder: Finder, id: str, where: Where) -> Iterator[Go
         return
     yield Turned(((walls[0].yaw + 90.0) % 360.0, (walls[0].yaw - 90.0) % 360.0))
     yield Apart((walls[0].name,), BY_WALL, "le")
+
+
+def _before_window(work: Work, id: str, where: Where, wider: bool) -> Iterator[Goal]:
+    """Before the nearest window, with the side that is said along its wall.
+
+    Raises:
+        InputError: all sides are as long, or there is no window.
+    """
+    deep, wide, _ = work.scene[id].size
+    here = work.scene[id].position[:2]
+    windows = [o for o in work.scene.room.openings if o.kind == "window"]
+    if abs(deep - wide) < ALIKE:
+        raise InputError(f"{id} is as wide as it is deep ({wide:.2f} by {deep:.2f} m): it has no long side")
+    if not windows:
+        raise InputError("the room has no window")
+    window = min(windows, key=lambda o: math.dist(things(work.scene, o.id)[0].centre, here))
+    yaw = work.scene.room.walls[window.wall].yaw
+    along = wider == (where.text == "long_side")
+    turns = (0.0, 180.0) if along else (90.0, 270.0)
+    yield Related("in_front_of", (window.id,))
+    yield Turned(tuple((yaw + turn) % 360.0 for turn in turns))
 
 
 def beside_wall(scene: Scene, asset: Asset, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

@@ -25,10 +25,8 @@ from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
-    EXACT,
     Abreast,
     Across,
-    Along,
     Apart,
     At,
     BackTo,
@@ -46,13 +44,14 @@ from thinkblox.editing.goals import (
     Spot,
 )
 from thinkblox.editing.grammar import means, sections
+from thinkblox.editing.into_corners import into_corner
 from thinkblox.editing.lengthwise import beside_wall, lengthwise
+from thinkblox.editing.moving_rows import by_rows, row_to_wall, shifted_at_once
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.pairing import pair_up
 from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
-from thinkblox.editing.rows import SAME_WAY, looks_to, rows_of
-from thinkblox.editing.scattering import moved_to, scatter
+from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import (
     Pose,
     along_walls,
@@ -65,6 +64,7 @@ from thinkblox.editing.spots import (
     spots,
     whole_floor,
 )
+from thinkblox.editing.stepping import SLIGHT, SLIGHT_STEPS, STEPS, by_step, way_of
 from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import Bound, bound, slots_for, slots_of, spot_of, told_by
@@ -74,19 +74,14 @@ from thinkblox.errors import InputError
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
-from thinkblox.reading.english.rooms import COMPASS
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
-from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
-from thinkblox.value import Vec3
 
 THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
-SLIGHT = 0.45
-"""How far something is moved at most that is moved a bit [m]."""
 OTHER_CORNER = 1.5
 """How far from where it was something stands at least that goes to another corner [m]."""
 LEFT = 0.3
@@ -95,27 +90,16 @@ MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
 AT_IT = 0.06
 """How far something may stand from what it is put against [m]."""
-TO_WALL = 0.05
-"""How far the nearest of a row stands from the wall that it goes to [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 _RESTS = ("on", "from", "in", "inside", "on_top")
 MOST_SLOTS = 5
 """Most things that are shared out to places so that as few as can be have to move."""
-STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
-"""How far something is moved where nobody says it [m]."""
-SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
-"""The same for "a bit" [m]."""
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
 _LOOKS = ("facing", "opposite")
 _PUSHED = ("push", "shove")
 """Verbs by which things come together without a gap, where that can be."""
-_FAR_OFF = ("to the front", "to the back")
-"""What is no step, but the other end of the room, which nothing says of which."""
-_TO_FRONT = ("forward", "back")
-_OF_ROW = {"forward": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
-"""By how much a direction of a row is turned against where it looks to [degrees]."""
 FAR_OFF, NEARER = 1.5, 0.7
 """From how far off what stands at a wall comes closer along walls [m], and to which share of the way at most."""
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
@@ -138,8 +122,8 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     order = gathered(work, finder, order)
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
-    order = _by_rows(work, order, sorted(moving))
-    if _shifted_at_once(work, order, groups) or _row_to_wall(work, finder, order, groups):
+    order = by_rows(work, order, sorted(moving))
+    if shifted_at_once(work, order, groups) or row_to_wall(work, finder, order, groups):
         finder.recent = [id for ids, _ in groups for id in ids]
         return
     along = {mate for id in moving - _seats(work, moving) for mate in company_of(work, finder, order, id)}
@@ -148,17 +132,28 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         ids = tuple(id for id in ids if id not in along and not moving & set(work.before.carriers(id)))
         ids = _by_slots(work, finder, ids, places)
         told = _to_one_wall(work, order, ids)
+        came: list[str] = []
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
                 continue
             seen.add(said)
             finder.scene, finder.about = work.scene, id
-            goals = _goals(work, finder, told, id, places, index, len(ids))
+            goals = _abreast(_goals(work, finder, told, id, places, index, len(ids)), came)
+            came.append(id)
             with_company(work, finder, order, id, lambda id=id, goals=goals: _move_and_turn(work, order, id, goals))  # type: ignore[misc]
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _abreast(goals: list[Goal], came: Sequence[str]) -> list[Goal]:
+    """The goals, where the second of several that go across from a thing stands beside the first."""
+    across = [goal for goal in goals if isinstance(goal, Across)]
+    if not across or not came:
+        return goals
+    beside: list[Goal] = [Related("facing", across[0].anchors), Abreast("next_to", (came[-1],))]
+    return [goal for goal in goals if goal not in across] + beside
 
 
 def _to_each_other(work: Work, finder: Finder, order: Order) -> None:
@@ -169,80 +164,6 @@ def _to_each_other(work: Work, finder: Finder, order: Order) -> None:
     _together(work, finder, order)
     if order.mutual == "facing":
         face_each_other(work, finder, dataclasses.replace(order, things=[]))
-
-
-def _shifted_at_once(work: Work, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]) -> bool:
-    """Shift several things by the same length in the same direction as one; whether that could be and was all."""
-    ids = list(dict.fromkeys(id for ids, _ in groups for id in ids))
-    ids = [id for id in ids if not set(ids) & set(work.scene.carriers(id))]
-    told = order.closer or order.apart or order.facing or order.backs or order.company or order.turn or order.slight
-    plain = len(order.lengths) == 1 and order.direction not in ("", "up", "down") and not (told or order.seated)
-    if not plain or len(ids) < 2 or any(places for _, places in groups):
-        return False
-    before, (metres, _) = work.scene, order.lengths[0]
-    ways = {id: _way(work, order, before[id]) for id in ids}
-    spots = {
-        id: (before[id].position[0] + metres * x, before[id].position[1] + metres * y) for id, (x, y, _) in ways.items()
-    }
-    if moved_to(work, ids, spots, off=EXACT):
-        work.world = work.world.with_scene(before)
-        return False
-    for id in ids:
-        say(work, id, before[id], None, [At(spots[id])])
-    return True
-
-
-def _row_to_wall(
-    work: Work, finder: Finder, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]
-) -> bool:
-    """Move a row as it stands to the wall that is named; whether that is what the order says, which is noted.
-
-    The back wall of what stands in rows is that behind them.
-    """
-    ids = [id for ids, _ in groups for id in ids]
-    places = [where for _, some in groups for where in some]
-    noun = places[0].noun if len(places) == 1 else None
-    rows = len(groups) == 1 and any(phrase.noun.rows for phrase in order.things) and len(ids) > 1
-    if not rows or noun is None or noun.kind != "place" or "wall" not in noun.value or places[0].negated:
-        return False
-    finder.about = ids[0]
-    seen = {"far_wall": 180.0, "near_wall": 0.0}.get(noun.value)
-    names = bound(places[0], work.scene[ids[0]].category, finder).anchors
-    gaze = looks_to(work.scene, work.scene[ids[0]])
-    found = [
-        wall
-        for wall in work.scene.room.walls
-        if (wall.name in names if seen is None else turn_between(wall.yaw + 180.0, gaze + seen) < SAME_WAY)
-    ]
-    if len(found) != 1:
-        return False
-    wall, before = found[0], work.scene
-    gaps = [ground_gap(things(before, id)[0], things(before, wall.name)[0]) for id in ids]
-    step = max(0.0, min(gaps) - TO_WALL)
-    spots = {id: (before[id].position[0] - step * wall.inward[0], before[id].position[1] - step * wall.inward[1])
-             for id in ids}  # fmt: skip
-    if why := moved_to(work, ids, spots, off=EXACT):
-        work.world = work.world.with_scene(before)
-        work.failed.append(f"{', '.join(ids)} were left where they are: {why}")
-    for id in ids if not why else ():
-        say(work, id, before[id], None, [At(spots[id])])
-    return True
-
-
-def _by_rows(work: Work, order: Order, ids: Sequence[str]) -> Order:
-    """The order, where all of the things that stand in rows go to the front or back: that which they look to.
-
-    A desk of its own has its front where one sits at it; of a class the front is where everybody looks.
-    """
-    many = any(phrase.noun.many or phrase.noun.each for phrase in order.things)
-    rows = rows_of(work.scene, [work.scene[id] for id in ids]) if many and order.direction in _TO_FRONT else []
-    if sum(len(row) > 1 for row in rows) < 2:
-        return order
-    gaze = looks_to(work.scene, rows[0][0]) + (0.0 if order.direction == "forward" else 180.0)
-    sides = {name: math.degrees(math.atan2(y, x)) for name, (x, y, _) in ways_of(work.scene[ids[0]]).items()
-             if name in COMPASS}  # fmt: skip
-    side = min(sides, key=lambda name: turn_between(sides[name], gaze))
-    return dataclasses.replace(order, direction=side) if turn_between(sides[side], gaze) <= SAME_WAY else order
 
 
 def _seats(work: Work, ids: Iterable[str]) -> set[str]:
@@ -339,7 +260,7 @@ def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]
             return ids
         gap = Nearing(mark_names(finder, phrase), nearer)
         return sorted(ids, key=lambda id: gap.of(work.scene, id) * (1.0 if nearer else -1.0))
-    x, y, _ = _way(work, order, work.scene[ids[0]])
+    x, y, _ = way_of(work, order, work.scene[ids[0]])
     return sorted(ids, key=lambda id: -(work.scene[id].position[0] * x + work.scene[id].position[1] * y))
 
 
@@ -448,7 +369,8 @@ def _split(
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
-        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here
+        known = bool(phrase.id or phrase.noun.id or phrase.noun.ordinal)
+        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here and not known
         several |= all(w.word == "on" and w.noun is not None and w.noun.kind == "thing" for w in wanted[:2])
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
@@ -622,6 +544,8 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
+    if not order.direction and into_corner(work, id, goals):
+        return
     if goals and not order.direction and all(_is_so(work, goal, id) for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
@@ -637,7 +561,7 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         direct: Iterator[Pose] = chain(_along_wall_to(work, id, gap), _by_so_much(work.scene, before, gap))
         done = reach_goals(work, id, goals, direct=direct, ask=True)
     elif order.direction and not order.closer:
-        direct, more = _by_step(work, order, before)
+        direct, more = by_step(work, order, before)
         goals = [*goals, *more]
         done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
@@ -855,48 +779,6 @@ def _aside(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[P
             yield from by_gap(scene, before, goal.anchors, [goal.away - goal.of(scene, before.id)])
 
 
-def ways_of(placement: Placement) -> dict[str, Vec3]:
-    """The unit vectors of directions: its own left, right, front and back, up and down, and the compass."""
-    (fx, fy), (lx, ly) = placement.front, placement.left
-    return {
-        "left": (lx, ly, 0.0),
-        "right": (-lx, -ly, 0.0),
-        "forward": (fx, fy, 0.0),
-        "back": (-fx, -fy, 0.0),
-        "up": (0.0, 0.0, 1.0),
-        "down": (0.0, 0.0, -1.0),
-        "north": (0.0, 1.0, 0.0),
-        "south": (0.0, -1.0, 0.0),
-        "east": (1.0, 0.0, 0.0),
-        "west": (-1.0, 0.0, 0.0),
-    }
-
-
-def _way(work: Work, order: Order, placement: Placement) -> Vec3:
-    """The unit vector of the direction of an order for one thing; of what is of a row by where it looks to."""
-    if order.direction in _OF_ROW and any(phrase.noun.rows for phrase in order.things):
-        way = math.radians(looks_to(work.scene, placement) + _OF_ROW[order.direction])
-        return (math.cos(way), math.sin(way), 0.0)
-    return ways_of(placement)[order.direction]
-
-
-def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
-    """In a direction: its own left, right, front and back; up and down; or by the compass."""
-    way = _way(work, order, placement)
-    if order.direction in ("up", "down") and work.asset_of(placement.id).free:
-        raise InputError(
-            f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"
-        )
-    if not (order.lengths or order.slight) and any(words in order.text.lower() for words in _FAR_OFF):
-        raise InputError(f"'{order.text}': how far, or to which wall? Say '30 cm forward', or 'to the north wall'")
-    if not order.lengths:
-        return iter(
-            [(shifted(placement, _scaled(way, s)), placement.yaw) for s in (SLIGHT_STEPS if order.slight else STEPS)]
-        ), [Along(way)]
-    goal = shifted(placement, _scaled(way, order.lengths[0][0]))
-    return iter([(goal, placement.yaw)]), [At(goal[:2], height=goal[2] if way[2] else None)]
-
-
 def _to_other_height(work: Work, order: Order, id: str) -> None:
     """Put what rests on something on what is higher, or lower, and carries it: what usually does first."""
     before, up = work.scene[id], order.direction == "up"
@@ -917,10 +799,6 @@ def _to_other_height(work: Work, order: Order, id: str) -> None:
         say(work, id, before, failed, ())
         return
     raise InputError(f"'{order.text}': nothing that is {'higher' if up else 'lower'} than {id} carries such a thing")
-
-
-def _scaled(way: Vec3, length: float) -> Vec3:
-    return (way[0] * length, way[1] * length, way[2] * length)
 
 
 def _together(work: Work, finder: Finder, order: Order) -> None:

@@ -293,6 +293,11 @@ def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str
             raise InputError(f"the room has no {place.noun.value.replace('_', ' ')}")
         return Region(marks[0].centre, CORNER_REACH, f"the part by {marks[0].name}"), ()
     about = [where for where in order.places if where.noun is not None and where.noun.kind == "thing"]
+    for other in about[1:]:
+        names = finder.ids(NounPhrase(other.noun)) if other.noun is not None else ()
+        raise InputError(
+            f"'{order.text}': a part of the room is not rearranged about {', '.join(names)}; move what is to go there"
+        )
     if about and about[0].noun is not None:
         thing = work.scene[finder.ids(NounPhrase(about[0].noun))[0]]
         reach = max(thing.size[:2]) / 2 + ABOUT

@@ -1,6 +1,7 @@
 """The same kind of thing made otherwise: larger, of another colour, round."""
 
 import dataclasses
+import re
 from collections.abc import Sequence
 
 from thinkblox.assets.repaint import LOOKS, MATERIALS
@@ -22,6 +23,10 @@ _EVEN = frozenset(("round", "circular", "square", "hexagonal", "octagonal"))
 """Outlines that are as deep as they are wide."""
 _AXES = {"longer": "length", "shorter": "length", "wider": "width", "narrower": "width", "deeper": "depth",
          "higher": "height", "lower": "height"}  # fmt: skip
+LEAST_SHARE = 0.5
+"""Which share of a side a length is at least that it is to come to: "longer, 2.5 m"."""
+_BY_LENGTH = re.compile(r"\b(?:m|cm|mm|met(?:er|re)s?|centimet(?:er|re)s?|f(?:ee|oo)t|inch(?:es)?)\s+\w+er\b")
+"""A length by which something changes: "20 cm longer"."""
 
 
 def factors(order: Order) -> tuple[float, ...]:
@@ -118,7 +123,7 @@ def _changed(side: float, metres: float, change: str, *, absolute: bool, order: 
         return side * order.times
     if not metres:
         return side * factor if sense > 0 else side / factor
-    if absolute and not order.by:
+    if not order.by and (absolute or (metres >= LEAST_SHARE * side and not _BY_LENGTH.search(order.text.lower()))):
         return metres
     return side + sense * metres
 

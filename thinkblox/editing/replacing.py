@@ -5,6 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
 from functools import partial
 
+from shapely import Point
+
 from thinkblox.editing.acting import related
 from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
@@ -19,7 +21,7 @@ from thinkblox.editing.removing import take_away
 from thinkblox.editing.reseating import with_seats
 from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.telling import named
-from thinkblox.editing.wheres import Bound, bound
+from thinkblox.editing.wheres import Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed
@@ -34,6 +36,7 @@ from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec2
 
 _BY = ("with", "by", "for")
 NEW_PLACE = 0.75
@@ -44,6 +47,10 @@ STAYS = 0.3
 """The same for a thing that is made otherwise [m]."""
 SAID = 0.25
 """From how far that is said, besides half of the same [m]."""
+NEXT_ABOVE = 0.05
+"""How far from where it is to hang another thing may hang beside one [m]."""
+BETWEEN_LAMPS = (0.4, 0.2, 0.8)
+"""Gaps between things that hang beside each other [m]."""
 TRIES = 60
 """Places about the old one's that are looked at."""
 
@@ -61,10 +68,10 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     ids = work.touched(dict.fromkeys(found))
     first = order.instead[0]
     count, before = _how_many(order, ids, first.noun), work.scene
-    for id in ids[:count]:
+    for number, id in enumerate(ids[:count]):
         become = partial(_comes_in_place, work, id, first.noun)
         if with_seats(work, id, become, asked=bool(order.company)):
-            _place(work, finder, order, id, first)
+            _place(work, finder, order, id, first, number, count)
     if ids[count:]:
         take_away(work, ids[count:])
     _bring_more(work, finder, order, before, ids, count)
@@ -139,6 +146,14 @@ def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
     walls = _walls_at(work.scene, by, asset)
     abreast, near, walled = Abreast("next_to", (by,)), Related("near", (by,)), Related("against_wall", ("wall",))
     tries: list[list[Goal]] = [[abreast]]
+    if asset.mount == "ceiling":
+        old = work.scene[by]
+        for spot in _beside_above(work.scene, by):
+            del work.failed[said:]
+            pose = ((*spot, old.position[2]), old.yaw)
+            if add_one(work, category, new, [At(spot, NEXT_ABOVE)], asset=asset, first=[pose]):
+                return
+        return
     if walls:
         tries = [[abreast, Related("against_wall", walls)], [abreast]]
     if not beside:
@@ -148,6 +163,21 @@ def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
         if id := add_one(work, category, new, goals, asset=asset):
             work.wishes = [wish for wish in work.wishes if beside or wish.id != id]
             return
+
+
+def _beside_above(scene: Scene, by: str) -> Iterator[Vec2]:
+    """Where another thing hangs beside one, along what is below that, the longer way first."""
+    x, y = scene[by].position[:2]
+    wide = max(scene[by].size[:2])
+    below = [p for p in scene.placements if p.support == "floor" and p.footprint.contains(Point(x, y))]
+    below = [p for p in below if scene.asset_of(p).collides]
+    yaw = below[0].yaw + (90.0 if below[0].size[1] > below[0].size[0] else 0.0) if below else 0.0
+    for turn in (0.0, 180.0, 90.0, 270.0):
+        way = math.radians(yaw + turn)
+        for off in (wide + gap for gap in BETWEEN_LAMPS):
+            spot = (round(x + off * math.cos(way), 4), round(y + off * math.sin(way), 4))
+            if scene.room.polygon.contains(Point(spot)):
+                yield spot
 
 
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
@@ -191,10 +221,13 @@ def _as_small(work: Work, id: str, asset: Asset) -> Asset:
     return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 
-def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -> None:
-    """Bring what has come to where it is said to stand."""
+def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase, number: int, count: int) -> None:
+    """Bring what has come to where it is said to stand: of several places, "one on each side", to its own."""
     category = work.scene[id].category
-    goals = [related(bound(where, category, finder), category) for where in new.places]
+    slots = [slots_of(where, category, finder) if count > 1 else [] for where in new.places]
+    there = [several[number] if len(several) == count else bound(where, category, finder)
+             for several, where in zip(slots, new.places, strict=True)]  # fmt: skip
+    goals = [related(place, category) for place in there]
     if goals:
         finder.scene = work.before = work.scene
         move_one(work, order, id, goals)

@@ -10,7 +10,7 @@ from msgspec import structs
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
-from thinkblox.editing.company import REACH, bring_overhead, mates_of, with_company
+from thinkblox.editing.company import REACH, SITTING, bring_overhead, bring_together, mates_of, seats_at, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
@@ -79,9 +79,31 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    if not bring_overhead(work, ids, lambda: _exchange(work, *ids)):
+    if not bring_overhead(work, ids, lambda: _exchange(work, *ids)) and not _with_seats(work, finder, ids):
         _exchange(work, *ids)
     finder.recent = ids
+
+
+def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
+    """Let two things change places with the seats that are drawn up to them; whether they have some, and can so."""
+    named_too = {*ids, *finder.named, *work.kept}
+    high = {id: work.scene[id].size[2] >= SITTING for id in ids}
+    seats = {id: seats_at(work.scene, id, besides=named_too) if high[id] else [] for id in ids}
+    one, other = ids
+    if not any(seats.values()):
+        return False
+    saved, said = work.saved(), (len(work.failed), len(work.notes))
+
+    def second() -> None:
+        bring_together(work, other, seats[other], lambda: _exchange(work, *ids))
+
+    bring_together(work, one, seats[one], second)
+    if len(work.failed) == said[0]:
+        return True
+    work.restore(saved)
+    del work.failed[said[0] :], work.notes[said[1] :]
+    work.left += [(id, seats[id]) for id in ids if seats[id]]
+    return False
 
 
 def _exchange(work: Work, one: str, other: str) -> None:

@@ -225,7 +225,8 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
         for goal in _straight(goals, ABOUT)
     )
     straight = _straight(goals, STRAIGHT)
-    if straight != list(goals) and (aimed or about):
+    held = so and all(goal.check(work.before, work.scene, id)[0] for goal in straight)
+    if straight != list(goals) and (aimed or about) and not held:
         there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
         begun = chain(turns(work.scene, before, straight), _aimed_about(work, id, straight))
         failed = reach_goals(work, id, [*straight, there], direct=begun)

@@ -98,7 +98,8 @@ def takes_with_side(draft: OrderDraft, said: Noun) -> bool:
 def takes_lengthwise(draft: OrderDraft, said: Noun, where: Where) -> bool:
     """Take "(so that) its long side is along the west wall" as how it comes to stand there; whether it was that."""
     order, wall = draft.order, where.noun
-    at_wall = wall is not None and wall.kind == "place" and "wall" in wall.value and where.word in (*_AT_BACK, "along")
+    at_wall = wall is not None and wall.kind == "place" and ("wall" in wall.value or wall.value == "window")
+    at_wall = at_wall and where.word in (*_AT_BACK, "along")
     if said.value not in ("long_side", "short_side") or not at_wall or order.doing not in TO_WALL or where.negated:
         return False
     if len(order.things) != 1 or order.turn is not None:

@@ -7,9 +7,11 @@ from thinkblox.editing.grammar import verbs
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Instruction, Order
 from thinkblox.editing.reading.accounting import unaccounted
+from thinkblox.editing.reading.another_one import with_another
 from thinkblox.editing.reading.clauses import Clause, clauses, without_announcements, without_reasons
 from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
+from thinkblox.editing.reading.its_own import with_its_own
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
@@ -29,6 +31,7 @@ from thinkblox.editing.reading.rewording import (
 )
 from thinkblox.editing.reading.row_words import with_rows
 from thinkblox.editing.reading.slips import without_slip
+from thinkblox.editing.reading.verbless import with_verbs
 from thinkblox.errors import InputError
 from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.tokens import Token
@@ -53,7 +56,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     read = corrected(lexicon, [without_slip(lexicon, token) for token in lexicon.tokens(plain)])
-    owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, without_purposes(read))))
+    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(read))))
+    owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
     said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)

@@ -140,7 +140,7 @@ def _round(draft: OrderDraft) -> None:
     elif order.doing == "make" and draft.negated:
         draft.negated = False
         order.ruled_out.append("round")
-    elif order.doing == "make" or (order.doing == "put" and order.looks):
+    elif order.doing == "make" or (order.doing == "put" and (order.looks or "be round" in order.text.lower())):
         order.looks.append("round")
     elif order.doing != "swap":
         order.lost.append("round")

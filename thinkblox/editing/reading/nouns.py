@@ -193,6 +193,8 @@ def _about(draft: OrderDraft, noun: Noun) -> Noun | None:
         return None
     if words[:-1] == [noun.det] or not words[:-1]:
         return None
+    if known := means("areas", words[-2]):
+        return Noun("thing", known, 0, 0, noun.text, det="the", named=True)
     chunks, _ = cut(draft.lexicon, draft.lexicon.tokens(" ".join(words[:-1])))
     found = [chunk for chunk in chunks if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.named]
     if len(found) != 1:

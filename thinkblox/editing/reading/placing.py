@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import INSTEAD, NounPhrase
-from thinkblox.editing.reading.draft import IN_ROW, SIDED, OrderDraft, is_it
+from thinkblox.editing.reading.draft import IN_ROW, SIDED, WITH_ALONG, OrderDraft, is_it
 from thinkblox.editing.reading.facing import takes_lengthwise
 from thinkblox.editing.reading.going_along import takes_along, takes_rider
 from thinkblox.reading.english.chunks import Noun
@@ -135,7 +135,7 @@ def _refer(draft: OrderDraft, where: Where) -> None:
     known = known or (draft.anchors[-1] if draft.anchors and len(things) == 1 else None)
     if where.whole is not None and is_it(where.whole) and known is not None and known.kind == "thing":
         where.whole = known
-    if where.word != "with" or draft.order.doing not in ("add", "put"):
+    if where.word != "with" or draft.order.doing not in ("add", "remove", *WITH_ALONG):
         draft.anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
 
 

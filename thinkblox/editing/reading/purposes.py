@@ -35,7 +35,7 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
         elif left[at].text == "so":
             left = _without_purpose(left, at)
         elif left[at].text in _IT:
-            left = _without_need(left, at)
+            left = _without_excess(_without_need(left, at), at)
         elif left[at].text == "for" and at:
             left = _without_use(left, at)
     return left
@@ -50,6 +50,18 @@ def _without_need(tokens: list[Token], at: int) -> list[Token]:
     end = at + 1 + needs[1] + needed[1]
     ends = end == len(tokens) or tokens[end].text in (*ENDS, *_PARTING)
     return _cut(tokens, at, end) if ends else tokens
+
+
+def _without_excess(tokens: list[Token], at: int) -> list[Token]:
+    """Without "(put the lamp next to the armchair), it is too dark there" at the end of an order."""
+    words = [token.text for token in tokens[at + 1 : at + 3]]
+    told = words[:1] in (["is"], ["are"]) and words[1:] in (["too"], ["so"], ["very"], ["rather"], ["quite"])
+    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    ordered = any(longest("verbs", tokens, n) is not None for n in range(begin, at))
+    if not told or not ordered or tokens[at - 1].text not in (",", ":"):
+        return tokens
+    end = _end(tokens, at + 3)
+    return tokens if any(token.text == "," for token in tokens[at:end]) else _cut(tokens, at, end)
 
 
 def _without_use(tokens: list[Token], at: int) -> list[Token]:
@@ -82,8 +94,18 @@ def _begins(tokens: Sequence[Token], at: int) -> bool:
     return at == 0 or tokens[at - 1].text in ENDS
 
 
+def _counts_left(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what follows says how many then are left: "(so that) only four are left", "there are four left"."""
+    end = _end(tokens, at)
+    words = [token.text for token in tokens[at:end]]
+    counted = any(token.kind == "number" or grammar().at([token], 0, "count") is not None for token in tokens[at:end])
+    return counted and len(words) <= MOST_OF_PERSON and bool(words) and words[-1] in ("left", "remain", "remaining")
+
+
 def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
     said = at + 1 + (tokens[at + 1].text == "that" if at + 1 < len(tokens) else 0)
+    if at and _counts_left(tokens, said):
+        return _cut(tokens, at, _end(tokens, said))
     person = _person(tokens, said)
     if not person or at == 0:
         return tokens
