@@ -19,7 +19,7 @@ from thinkblox.observe import Observation, kinds_of, observe
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning import plan_brief
-from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.policies.expert import ExpertPolicy, hung
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs, used_costs
 from thinkblox.policies.expert.imagine import ELSEWHERE, from_ties
@@ -321,18 +321,31 @@ def test_what_comes_onto_a_shelf_keeps_clear_of_what_is_there():
     assert best.position[2] < case.size[2] - 0.1
 
 
-def test_what_nobody_asked_for_is_not_hung_over_a_window():
+def test_nothing_is_hung_over_a_window_unless_it_is_asked_to_be_at_one():
     room = rectangle(6.0, 5.0)
     windows = tuple(
         Opening(id=f"window_{n}", kind="window", wall=n, offset=0.1, width=wall.length - 0.2, height=1.4, sill=0.8)
         for n, wall in enumerate(room.walls)
     )
     scene = Scene(prompt="", seed=0, room=msgspec.structs.replace(room, openings=windows))
-    for asked in (True, False):
-        target = Target(id="picture_1", category="picture", request="picture", asked=asked)
+    at_window = Tie(kind="near", anchors=("window",))
+    for asked, ties, hangs in ((True, (), False), (False, (), False), (True, (at_window,), True)):
+        target = Target(id="picture_1", category="picture", request="picture", asked=asked, ties=ties)
         plan = Plan(brief=read_brief("A room with a chair."), targets=(target,))
         texts = ExpertPolicy().propose(seen(scene, plan, target, seed=1), 6, np.random.default_rng(1))
-        assert bool(texts) == asked
+        assert bool(texts) == hangs
+
+
+def test_what_hangs_beside_a_door_keeps_off_its_frame():
+    room = rectangle(2.4, 4.0)
+    door = Opening(id="door_1", kind="door", wall=0, offset=0.75, width=0.9, height=2.1)
+    scene = Scene(prompt="", seed=0, room=msgspec.structs.replace(room, openings=(door,)))
+    clock = Target(id="clock_1", category="clock", request="clock")
+    s = Situation(seen(scene, Plan(brief=read_brief("A room with a chair."), targets=(clock,)), clock, seed=1))
+    half, wall = s.size[1] / 2, room.walls[0]
+    places = [hung.hang(s, wall, door.offset - half - gap, 1.7, why="it hangs", cost=0.0) for gap in (0.02, 0.15)]
+    costs = {idea.position: cost for cost, idea in ranked(s, places, np.random.default_rng(1))}
+    assert costs[places[0].position] > costs[places[1].position] + 2.0
 
 
 def test_what_usually_stands_beside_a_sofa_is_not_put_before_it():

@@ -6,9 +6,10 @@ import numpy as np
 
 from thinkblox.observe import Observation
 from thinkblox.phrases import phrase
+from thinkblox.policies.expert.ground import darkens
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.imagine import ELSEWHERE, from_room, from_ties
-from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
+from thinkblox.policies.expert.judge import HOPELESS, boxes, placement_of, ranked
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.saying import pose_words
 from thinkblox.steps import write_step
@@ -27,10 +28,20 @@ class ExpertPolicy:
         ideas = ranked(situation, from_ties(situation), rng)
         if observation.round or sum(cost < ELSEWHERE for cost, _ in ideas) < n:
             ideas = sorted([*ideas, *ranked(situation, from_room(situation), rng)], key=lambda pair: pair[0])
-        if situation.facts.hanging.windows == "no" and situation.asset.mount == "wall" and not situation.target.asked:
-            ideas = [(cost, idea) for cost, idea in ideas if cost < HOPELESS / 2]
+        if situation.facts.hanging.windows == "no" and situation.asset.mount == "wall":
+            ideas = _off_the_glass(situation, ideas)
         chosen = _distinct(situation, ideas, n * (1 + observation.round))
         return [_say(situation, cost, idea) for cost, idea in chosen][-n:]
+
+
+def _off_the_glass(situation: Situation, ideas: list[tuple[float, Idea]]) -> list[tuple[float, Idea]]:
+    """Those that hang over no window, which carries nothing; of what nobody asked for, only those that fit well."""
+    if not situation.target.asked:
+        return [(cost, idea) for cost, idea in ideas if cost < HOPELESS / 2]
+    if not ideas or any(tie.asked and "window" in tie.anchors for tie in situation.target.ties):
+        return ideas
+    dark = darkens(situation, boxes(situation, [idea for _, idea in ideas]))
+    return [pair for pair, share in zip(ideas, dark, strict=True) if share < 1.0]
 
 
 def _distinct(situation: Situation, ideas: list[tuple[float, Idea]], n: int) -> list[tuple[float, Idea]]:

@@ -41,6 +41,8 @@ STOOD_ON = 8.0
 """Cost per metre by which furniture stands on a rug that is a place of its own."""
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
+CASING, ON_CASING = 0.1, 4.0
+"""How wide the frame of a door is around it [m], and what it costs to hang something on it."""
 FINALISTS, MOST_LOOKED_AT = 40, 400
 """How many ideas are held against what the plan wants, and at most where most have what they must not."""
 OF_EACH_SORT = 10
@@ -152,6 +154,10 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     zones = np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
     if situation.facts.hanging.windows == "no":
         zones += HOPELESS * darkens(situation, rects)
+    if situation.asset.mount == "wall":
+        framed = Rects(rects.centre, rects.half + CASING, rects.yaw, rects.bottom - CASING, rects.top)
+        on_frame = overlap_depth(framed, situation.door_zones).max(-1, initial=0.0) > TOUCH
+        zones += ON_CASING * on_frame
     return costs + np.where(_carried(ideas) & (situation.asset.mount == "floor"), 0.0, zones)
 
 
