@@ -663,3 +663,10 @@ def test_what_we_have_got_is_asked_for() -> None:
 def test_along_the_back_is_along_the_far_wall() -> None:
     brief = read_brief("A shop with a counter and a freezer along the back.", fill="named")
     assert ("against_wall", "fridge", ("far_wall",)) in _ties(brief)
+
+
+def test_a_car_hangs_on_no_wall() -> None:
+    brief = read_brief("A garage with a car and two bicycles hanging on the left wall.", fill="named")
+    assert ("against_wall", "car", ("left_wall",)) in _ties(brief)
+    assert ("on", "wall_bicycle", ("left_wall",)) in _ties(brief)
+    assert "wall-mounted" not in brief.request("car").attributes

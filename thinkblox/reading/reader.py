@@ -48,6 +48,8 @@ _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds
 _PLACES: tuple[Place, ...] = get_args(Place)
 _FURNITURE = 0.2
 """Outline from which what is said to be on a wall, and cannot hang, is furniture that stands against it [m2]."""
+_HEAVY = 150.0
+"""What stands on the floor and weighs more hangs on no wall [kg]."""
 _TALL = 1.5
 """Storage that is higher stands, also where it is said to be on a wall [m]."""
 _SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "single", "double", "corner", "open")
@@ -167,8 +169,8 @@ def _hang(bond: Bond, place: str) -> None:
 
 
 def _stands_up_to_walls(kind: Category) -> bool:
-    """Whether it is tall storage, which stands before a wall where it is said to be on one."""
-    return kind.size[2] > _TALL and kind.is_in("storage")
+    """Whether it is tall storage, or heavy, which stands before a wall where it is said to be on one."""
+    return kind.mount == "floor" and (kind.mass > _HEAVY or (kind.size[2] > _TALL and kind.is_in("storage")))
 
 
 def _stands_at_walls(kind: Category) -> bool:
