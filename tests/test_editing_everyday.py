@@ -53,11 +53,14 @@ def test_other_conditions_are_still_refused() -> None:
         edit_room(living(), "If the sofa is red, remove it")
 
 
-def test_seats_go_along_with_a_table_that_people_sit_at_and_not_with_a_low_one() -> None:
+def test_seats_go_along_with_a_table_where_that_is_said() -> None:
     before = dining(2)
-    moved = done(before, "Move the dining table 30 cm to the north").scene
+    moved = done(before, "Move the dining table and its chairs 30 cm to the north").scene
     for id in ("chair_1", "chair_2"):
         assert math.dist(moved[id].position, before[id].position) == pytest.approx(0.3, abs=0.02)
+    left = done(before, "Move the dining table 80 cm to the north")
+    assert same_but(before, left.scene, "dining_table_1")
+    assert any("stayed, away from dining_table_1" in note for note in left.report.notes)
     low = built(room(), ("coffee_table_1", 3.0, 2.5, 0.0, "floor"), ("armchair_1", 3.0, 1.6, 90.0, "floor"))
     after_low = done(low, "Move the coffee table 30 cm to the north").scene
     assert same_but(low, after_low, "coffee_table_1")

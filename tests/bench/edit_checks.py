@@ -18,10 +18,6 @@ from shapely.geometry.base import BaseGeometry
 
 Placed = dict[str, Any]
 Check = Callable[["Plain", "Plain"], bool]
-AT_TABLE = 0.55
-"""How high a table is at least that seats go along with [m]."""
-DRAWN_UP, ALONG = 0.3, 0.3
-"""How far a seat is from it then at most, and how far it may come to stand from where it stood to it [m]."""
 
 
 class Plain:
@@ -101,22 +97,6 @@ class Plain:
         return inside and all(
             self.outline(p["id"]).intersection(area).area < 1e-4 for p in self.standing() if p["id"] not in besides
         )
-
-
-def went_along(before: Plain, after: Plain, id: str, movers: Set[str]) -> bool:
-    """Whether something is a seat that was at a table or desk which has moved, and stands at it now as it did then."""
-    if not any(word in before[id]["category"] for word in ("chair", "stool", "bench")) or id not in after.placements:
-        return False
-    for other in movers & set(before.placements) & set(after.placements):
-        table = before[other]
-        kind = any(word in table["category"] for word in ("table", "desk", "island", "counter"))
-        if not kind or table["size"][2] < AT_TABLE or before.gap(id, other) > DRAWN_UP:
-            continue
-        away = math.dist(before.local(other, id), after.local(other, id))
-        same = {**before[id], "position": 0, "yaw": 0} == {**after[id], "position": 0, "yaw": 0}
-        if away <= ALONG and same and after[other] != table:
-            return True
-    return False
 
 
 @dataclass(frozen=True)

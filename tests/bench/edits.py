@@ -16,7 +16,7 @@ from typing import get_args
 
 import msgspec
 
-from tests.bench.edit_checks import Case, Plain, cases, went_along
+from tests.bench.edit_checks import Case, Plain, cases
 from thinkblox import Scene, edit_room, generate_room, load_scene, save_room, verify
 from thinkblox.editing import Edit
 from thinkblox.editing.edit import Made
@@ -43,12 +43,9 @@ def room(number: int, keep: Path | None, fill: Fill) -> tuple[Scene, Made | Path
 
 
 def alike(before: Plain, after: Plain, case: Case) -> bool:
-    """Whether every placement and asset that the instruction does not let change has the same bytes.
-
-    Seats that are drawn up to a table or desk go along with it, and then stand at it as they did.
-    """
+    """Whether every placement and asset that the instruction does not let change has the same bytes."""
     for id, old in before.placements.items():
-        if id in case.may_change or went_along(before, after, id, case.may_change):
+        if id in case.may_change:
             continue
         new = after.placements.get(id)
         if new is None or json.dumps(old) != json.dumps(new):

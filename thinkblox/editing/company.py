@@ -37,7 +37,7 @@ REACH = 0.8
 def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable[[], None]) -> None:
     """Do something with one thing, and bring what the order names along to the same places beside it.
 
-    Where nothing is named, the seats that are drawn up to it go along where they can, and it is done without them else.
+    Where nothing is named, the seats that are drawn up to it stay as they are, unless it cannot be done without them.
     """
     mates = company_of(work, finder, order, id)
     if mates:
@@ -46,13 +46,10 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     if bring_overhead(work, [id], do):
         return
     seats = [] if order.rest or order.company else seats_at(work.scene, id, besides={*finder.named, *work.kept})
-    if not seats:
-        do()
-    elif work.scene[id].size[2] < SITTING:
+    if seats:
         _first_without(work, id, seats, do, turned=order.doing == "turn")
-    elif not bring_or_leave(work, id, seats, do, f"went along with {id}, as seats do that are drawn up to it"):
+    else:
         do()
-        _say_left(work, id, seats)
 
 
 def bring_or_leave(work: Work, id: str, seats: Sequence[str], do: Callable[[], None], says: str) -> bool:
@@ -69,7 +66,7 @@ def bring_or_leave(work: Work, id: str, seats: Sequence[str], do: Callable[[], N
 
 
 def _first_without(work: Work, id: str, seats: Sequence[str], do: Callable[[], None], *, turned: bool) -> None:
-    """Do something with a low table, with the seats that are near it only where it cannot be done without them."""
+    """Do something with a table or desk, with the seats that are at it only where it cannot be done without them."""
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
     shifted = turned and math.dist(before[id].position, work.scene[id].position) > TOO_FAR

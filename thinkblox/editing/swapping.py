@@ -79,9 +79,21 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    if not bring_overhead(work, ids, lambda: _exchange(work, *ids)) and not _with_seats(work, finder, ids):
+    together = bring_overhead(work, ids, lambda: _exchange(work, *ids)) or _alone(work, ids)
+    if not together and not _with_seats(work, finder, ids):
         _exchange(work, *ids)
     finder.recent = ids
+
+
+def _alone(work: Work, ids: Sequence[str]) -> bool:
+    """Let two things change places and nothing else; False where they cannot: then nothing is done."""
+    saved, said = work.saved(), (len(work.failed), len(work.notes))
+    _exchange(work, *ids)
+    if len(work.failed) == said[0]:
+        return True
+    work.restore(saved)
+    del work.failed[said[0] :], work.notes[said[1] :]
+    return False
 
 
 def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
