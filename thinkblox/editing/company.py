@@ -54,11 +54,8 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
 
 def bring_or_leave(work: Work, id: str, seats: Sequence[str], do: Callable[[], None], says: str) -> bool:
     """Do something with a thing and its seats; False where that cannot be: then nothing is done."""
-    before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
-    bring_together(work, id, seats, do)
-    if len(work.failed) > said[0]:
-        work.restore(saved)
-        del work.failed[said[0] :], work.notes[said[1] :]
+    before = work.scene
+    if not done_or_undone(work, lambda: bring_together(work, id, seats, do)):
         return False
     if work.scene[id] != before[id]:
         work.notes.append(f"{', '.join(seats)} {says}.")
@@ -99,9 +96,15 @@ def bring_overhead(work: Work, ids: Sequence[str], do: Callable[[], None]) -> bo
     }
     if not over:
         return False
-    saved, said = work.saved(), (len(work.failed), len(work.notes))
     below = next(iter(over.values()))
-    bring_together(work, below, [name for name, id in over.items() if id == below], do)
+    along = [name for name, id in over.items() if id == below]
+    return done_or_undone(work, lambda: bring_together(work, below, along, do))
+
+
+def done_or_undone(work: Work, do: Callable[[], None]) -> bool:
+    """Do something, and take it back with what was said of it where any of it failed; whether it is done."""
+    saved, said = work.saved(), (len(work.failed), len(work.notes))
+    do()
     if len(work.failed) == said[0]:
         return True
     work.restore(saved)

@@ -10,7 +10,16 @@ from msgspec import structs
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
-from thinkblox.editing.company import REACH, SITTING, bring_overhead, bring_together, mates_of, seats_at, with_company
+from thinkblox.editing.company import (
+    REACH,
+    SITTING,
+    bring_overhead,
+    bring_together,
+    done_or_undone,
+    mates_of,
+    seats_at,
+    with_company,
+)
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Related, Traded, Within
 from thinkblox.editing.orders import NounPhrase, Order
@@ -79,21 +88,12 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    together = bring_overhead(work, ids, lambda: _exchange(work, *ids)) or _alone(work, ids)
+    together = bring_overhead(work, ids, lambda: _exchange(work, *ids)) or done_or_undone(
+        work, lambda: _exchange(work, *ids)
+    )
     if not together and not _with_seats(work, finder, ids):
-        _exchange(work, *ids)
+        exchange()
     finder.recent = ids
-
-
-def _alone(work: Work, ids: Sequence[str]) -> bool:
-    """Let two things change places and nothing else; False where they cannot: then nothing is done."""
-    saved, said = work.saved(), (len(work.failed), len(work.notes))
-    _exchange(work, *ids)
-    if len(work.failed) == said[0]:
-        return True
-    work.restore(saved)
-    del work.failed[said[0] :], work.notes[said[1] :]
-    return False
 
 
 def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
@@ -104,16 +104,12 @@ def _with_seats(work: Work, finder: Finder, ids: Sequence[str]) -> bool:
     one, other = ids
     if not any(seats.values()):
         return False
-    saved, said = work.saved(), (len(work.failed), len(work.notes))
 
     def second() -> None:
         bring_together(work, other, seats[other], lambda: _exchange(work, *ids))
 
-    bring_together(work, one, seats[one], second)
-    if len(work.failed) == said[0]:
+    if done_or_undone(work, lambda: bring_together(work, one, seats[one], second)):
         return True
-    work.restore(saved)
-    del work.failed[said[0] :], work.notes[said[1] :]
     work.left += [(id, seats[id]) for id in ids if seats[id]]
     return False
 

@@ -55,12 +55,8 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
         return 0
     after = tokens[at + length] if at + length < len(tokens) else None
     ends = after is None or after.kind == "mark" or after.text in ("and", "but", "then", "please")
-    placed = after is not None and bool(_place(after.text))
+    placed = after is not None and after.text in _PLACES
     return length if ends or placed else 0
-
-
-def _place(word: str) -> bool:
-    return word in _PLACES
 
 
 _PLACES = frozenset(
