@@ -88,9 +88,11 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         return
     if len(ids) != 2:
         raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    together = bring_overhead(work, ids, lambda: _exchange(work, *ids)) or done_or_undone(
-        work, lambda: _exchange(work, *ids)
-    )
+
+    def exchange() -> None:
+        _exchange(work, *ids)
+
+    together = bring_overhead(work, ids, exchange) or done_or_undone(work, exchange)
     if not together and not _with_seats(work, finder, ids):
         exchange()
     finder.recent = ids
