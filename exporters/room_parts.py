@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from thinkblox.exporters.inventory import Inventory, InventoryLook
 from thinkblox.exporters.looks import covering_look, finish_look
-from thinkblox.exporters.png import png_of
+from thinkblox.png import png_of
 from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.scene.textured_mesh import TexturedMesh

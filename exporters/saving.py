@@ -11,8 +11,8 @@ from thinkblox.exporters.credits import credits_of
 from thinkblox.exporters.folder import check_folder, made_parents, sweep_pictures, whole_folder
 from thinkblox.exporters.formats import DEFAULT, ExportFormat, formats_named
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, FileKind, Manifest, ManifestFile
-from thinkblox.exporters.png import png_of
 from thinkblox.holding import note_placed, signals_held
+from thinkblox.png import png_of
 from thinkblox.scene.asset_files import asset_files
 from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.value import to_json

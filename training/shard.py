@@ -16,6 +16,7 @@ from thinkblox.episode import Episode
 from thinkblox.errors import InputError
 from thinkblox.generate import generate_room
 from thinkblox.placing import Effort
+from thinkblox.png import png_of
 from thinkblox.policies.chat_format import images, messages
 from thinkblox.training.demonstration import Demonstration, demonstrations, shown
 from thinkblox.training.prompts import sample_prompt
@@ -24,7 +25,7 @@ from thinkblox.value import Value, to_json
 from thinkblox.whole_file import write_whole
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
+    pass
 
 EFFORT = Effort(restarts=0, rounds=1, revisions=0, seconds=60.0)
 """How hard a room is tried: what the expert places well is wanted, not what is mended afterwards."""
@@ -128,7 +129,7 @@ def row(made: Demonstration, chat: Chat, *, scene: int, at: str) -> dict[str, An
     return {
         "prompt": messages(chat),
         "completion": [{"role": "assistant", "content": [{"type": "text", "text": made.text}]}],
-        "images": [_png(image) for image in images(chat)],
+        "images": [{"bytes": png_of(image), "path": None} for image in images(chat)],
         "scene": scene,
         "at": at,
         "id": made.id,
@@ -136,12 +137,6 @@ def row(made: Demonstration, chat: Chat, *, scene: int, at: str) -> dict[str, An
         "room": made.room,
         "asked": made.prompt,
     }
-
-
-def _png(image: "Image") -> dict[str, Any]:
-    held = BytesIO()
-    image.save(held, "PNG")
-    return {"bytes": held.getvalue(), "path": None}
 
 
 def _parquet(rows: Sequence[dict[str, Any]]) -> bytes:

@@ -8,7 +8,6 @@ from collections.abc import AsyncIterator, Coroutine, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
-from io import BytesIO
 from typing import TYPE_CHECKING, Any, TypeVar
 from urllib.parse import urlsplit
 
@@ -16,6 +15,7 @@ import numpy as np
 
 from thinkblox.chat import Chat, Message
 from thinkblox.errors import InputError, NoAnswerError, UnavailableError
+from thinkblox.png import png_of
 from thinkblox.policies.keys import hidden, key_from, shown
 
 if TYPE_CHECKING:
@@ -278,9 +278,7 @@ def _parts(parts: "Sequence[str | Image]") -> Iterator[dict[str, Any]]:
         if isinstance(part, str):
             yield {"type": "text", "text": part}
         else:
-            file = BytesIO()
-            part.save(file, format="PNG")
-            data = base64.b64encode(file.getvalue()).decode()
+            data = base64.b64encode(png_of(part)).decode()
             yield {"type": "image_url", "image_url": {"url": f"data:image/png;base64,{data}"}}
 
 

@@ -4,11 +4,11 @@ import contextlib
 import sys
 from base64 import b64encode
 from collections.abc import Callable
-from io import BytesIO
 from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from thinkblox.errors import InputError
+from thinkblox.png import png_of
 from thinkblox.serving.calls import Answered, call
 from thinkblox.serving.desk import Desk
 from thinkblox.serving.root import Root
@@ -18,7 +18,6 @@ from thinkblox.version import package_version
 if TYPE_CHECKING:
     from mcp.server import Server
     from mcp.types import CallToolResult
-    from PIL.Image import Image
 
 INSTRUCTIONS = (
     "Furnish rooms object by object; a physics simulation measures every placement before it counts. start_room with a"
@@ -119,13 +118,7 @@ def _result(answered: Answered) -> "CallToolResult":
     content: list[types.ContentBlock] = [
         types.TextContent(text=part)
         if isinstance(part, str)
-        else types.ImageContent(data=_png(part), mime_type="image/png")
+        else types.ImageContent(data=b64encode(png_of(part)).decode(), mime_type="image/png")
         for part in answered.said.parts
     ]
     return types.CallToolResult(content=content, structured_content=answered.said.data, is_error=not answered.done)
-
-
-def _png(picture: "Image") -> str:
-    file = BytesIO()
-    picture.save(file, format="PNG")
-    return b64encode(file.getvalue()).decode()
