@@ -94,4 +94,5 @@ def test_the_script_opens_every_door_and_drawer_that_it_can_stand_before(rooms: 
                 continue
             assert ran.reached, (source.name, name)
             reached += 1
-    assert reached > 3 * refused
+    # Drawers behind a chair that is drawn up, and beside one, cannot be stood before.
+    assert reached > 2 * refused

@@ -38,6 +38,8 @@ SEAT_GAP = 0.4
 """Largest gap of a seat drawn up to a table; handbooks pull a chair out by 0.3 to 0.4 to sit down."""
 CENTRE_SHARE = 0.25
 """Largest offset from the centre along each axis, as a share of the extent: the middle half."""
+END_SHARE = 1 / 6
+"""Smallest offset from the middle of what lies at one side of a top, as a share of its extent: the outer thirds."""
 UNDER_SHARE = 0.2
 """Smallest share of the smaller footprint that lies under, for what is flat: a rug's under a bed that it frames."""
 UNDER_HALF, FLAT = 0.5, 0.05
@@ -139,11 +141,16 @@ def _far(room: Room) -> Pair:
 def _on_side(x: int, y: int, reach: float) -> Pair:
     """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners.
 
-    What hangs behind a desk that is drawn up to the wall hangs over its edge.
+    What hangs behind a desk that is drawn up to the wall hangs over its edge. What lies on the anchor is at that side
+    of its top.
     """
 
     def pair(subject: Landmark, anchor: Landmark) -> Finding:
         local = anchor.to_local(subject.centre)
+        if anchor.kind == "object" and _on(subject, anchor)[0]:
+            along, extent = (local[0] * x, anchor.half[0] * 2) if x else (local[1] * y, anchor.half[1] * 2)
+            text = f"{subject.name} {along:.2f} m from the middle of {anchor.name} to that side"
+            return along >= extent * END_SHARE - ROUNDING, text
         forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
         half, half_across = anchor.half if x else anchor.half[::-1]
         beyond, past = forward - half, max(across - half_across, 0.0)

@@ -61,7 +61,7 @@ def _alignments(situation: Situation, anchor: Placement, side: str, size: Vec2) 
     if along == 0:
         small_round = situation.asset.front == "any" and situation.size[0] < 0.6
         back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
-        from_head = 1.5 if facts_of(anchor.category).is_in("lain_on") else 0.0
+        from_head = 4.0 if facts_of(anchor.category).is_in("lain_on") else 0.0
         usual = ((-room, 0.0 if from_head else back), (0.0, centre + from_head), (room, 0.5 + from_head))
         behind = max((use.depth for use in situation.facts.uses if use.sides == ("back",)), default=0.0)
         return ((behind - room, 0.2), *usual) if behind else usual

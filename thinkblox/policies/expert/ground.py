@@ -40,6 +40,10 @@ MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""
 
 
+NO_ROOM_LEFT, SPARE = 1.5, 0.05
+"""Cost of standing so far in the floor that is promised to another that it has no room any more [m]."""
+
+
 def ground_costs(situation: Situation, rects: Rects) -> Array:
     """What the floor says against each box: no room to use it, in the room others need, or in the way."""
     costs = used_costs(situation, rects)
@@ -47,7 +51,8 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     weight = MOVED_ASIDE if movable else KEPT_CLEAR
     costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
-    costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
+    promised = overlap_depth(rects, situation.promised)
+    costs += (4.0 * promised + NO_ROOM_LEFT * (promised > SPARE)).sum(-1)
     costs += in_the_way(situation, rects) + _back_in_room(situation, rects)
     costs += _among_staff(situation, rects) + _at_their_backs(situation, rects) + _out_of_zone(situation, rects)
     if situation.size[2] > SEEN_OVER:

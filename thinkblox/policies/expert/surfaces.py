@@ -49,6 +49,12 @@ REACHED = 1.6
 """A top of shelves that is higher takes what is asked for only where no board has room, and nothing else [m]."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
+SIDES_OF_TOP: dict[str, Vec2] = {
+    "left_of": (0.0, 1.0), "right_of": (0.0, -1.0), "in_front_of": (1.0, 0.0), "behind": (-1.0, 0.0),
+}  # fmt: skip
+"""Where on a top what is at a side of it lies, as a share of how far it can."""
+STEPS = 5
+"""How often a place further in is tried there."""
 
 
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -278,8 +284,9 @@ def _free_half(plan: Vec2, surface: Surface) -> Vec2 | None:
 def _spots(
     situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2, shelves: int, plan: Vec2
 ) -> Iterator[tuple[Vec2, float]]:
-    if tie.kind == "in_centre":
-        yield from _middle(free, anchor)
+    side = _side_of_top(situation, anchor)
+    if side is not None or tie.kind == "in_centre":
+        yield from _middle(free, anchor) if side is None else _towards(side, free, surface)
         return
     yield from _by_companion(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
@@ -358,6 +365,26 @@ def _leaving_room(situation: Situation, surface: Surface) -> float:
     if (surface.size[1] - situation.size[1]) / 2 >= width:
         return 0.0
     return 1.0 if later[0][1] == "right_of" else -1.0
+
+
+def _side_of_top(situation: Situation, anchor: Placement) -> Vec2 | None:
+    """Towards which side of the top of the anchor it is to lie, from -1 to 1 along each axis; None for none."""
+    ties = [t for t in situation.target.ties if t.asked and anchor.id in t.anchors]
+    sides = [SIDES_OF_TOP[tie.kind] for tie in ties if tie.kind in SIDES_OF_TOP]
+    return (sum(u for u, _ in sides), sum(v for _, v in sides)) if sides else None
+
+
+def _towards(side: Vec2, free: Vec2, surface: Surface) -> Iterator[tuple[Vec2, float]]:
+    """Near a side of a top, then further in, and along that side where the edge is taken."""
+    for step in range(STEPS):
+        inwards = 1.0 - 0.15 * step
+        for aside in (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0):
+            u, v = (along * inwards if along else aside for along in side)
+            if all(side) and aside:
+                continue
+            far = math.hypot(u * free[0], v * free[1]) > min(surface.size) / 2 if surface.round else False
+            if not far:
+                yield (u * free[0], v * free[1]), 0.1 * step + 0.3 * abs(aside)
 
 
 def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:

@@ -28,6 +28,8 @@ from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
+from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
+from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -36,6 +38,8 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 """Abbreviations whose points end no sentence."""
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
+_ACROSS = re.compile(r"\bopposite (?=(?:side|end)\b(?! of (?!the room)))", re.IGNORECASE)
+"""Of two sides the other one."""
 _ONE = re.compile(
     r"\ban?(?= (?:met(?:re|er)|foot|yard) (?:away|apart|from|in front|behind|above|below|off)\b)", re.IGNORECASE
 )
@@ -74,6 +78,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
+    text = _ACROSS.sub("other    ", text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = plainly(with_parts(_spelt_out(lexicon.tokens(text))))
@@ -83,6 +88,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_bare_places,
+        with_top_sides,
+        with_stacked_pairs,
         with_noughts,
         with_nothing_else,
         with_counted_rows,

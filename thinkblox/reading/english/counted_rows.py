@@ -13,6 +13,7 @@ _PER = ("per", "in", "to", "on")
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
+    chunks = _of_columns(chunks)
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -29,6 +30,27 @@ def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
             at += length if chunk.end == end else 0
         found.append(_in_rows(chunk, found) if isinstance(chunk, Noun) and chunk.rows > 1 else chunk)
         at += 1
+    return found
+
+
+def _of_columns(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which a grid is so many rows of as many as it has columns: "four rows and six columns"."""
+    found: list[Chunk] = []
+    for chunk in chunks:
+        rows = found[-2] if len(found) > 1 and is_link(found[-1], "joins", "and") else None
+        rows = found[-2] if len(found) > 1 and is_link(found[-1], "prepositions", "by") else rows
+        if not (isinstance(chunk, Noun) and isinstance(rows, Noun) and rows.kind == "number" and rows.rows > 1):
+            found.append(chunk)
+            continue
+        words, first = chunk.text.lower().split(), rows.text.lower().split()[-1]
+        number = chunk.rows if chunk.kind == "number" else chunk.count if chunk.value == "column" else None
+        crossed = {words[-1], first} == {"rows", "columns"} and number and rows.count is None
+        if not crossed or number is None:
+            found.append(chunk)
+            continue
+        lines = rows.rows if first == "rows" else number
+        text = rows.text if first == "rows" else chunk.text
+        found[-2:] = [replace(rows, rows=lines, count=rows.rows * number, text=text, end=chunk.end, plural=True)]
     return found
 
 

@@ -9,6 +9,7 @@ from thinkblox.reading.english.antecedents import OpenReference
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.corrections import Corrections
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small, last_word, parts_of
 from thinkblox.reading.stacks import STACKED
 
@@ -220,12 +221,14 @@ class Doubts(Corrections):
                     yield f"{thing.text} on {one.text} and on {other.text}"
 
     def _on_and_beside(self) -> Iterator[str]:
-        """Things that are to be on another and at a side of it, which then means a part of its top."""
+        """Things that are to be on another and beside it, or inside of it and at a side of it."""
         for thing in self.draft.things:
             bonds = [b for b in self.draft.bonds_of(thing) if not (b.negated or b.implied)]
             carriers = [a for b in bonds if b.kind in ("on", "inside") for a in parts_of(b)]
+            tops = [a for b in bonds if b.kind == "on" for a in parts_of(b)]
             for bond in bonds:
-                if bond.kind in _BESIDE and any(a in carriers for a in parts_of(bond)):
+                of_top = bond.kind in SIDES.values() and all(a in tops for a in parts_of(bond))
+                if bond.kind in _BESIDE and not of_top and any(a in carriers for a in parts_of(bond)):
                     yield f"{thing.text} {bond.kind.replace('_', ' ')} {parts_of(bond)[0].text} (and on it?)"
 
     def _is_over(self, one: Mention, other: Mention) -> bool:

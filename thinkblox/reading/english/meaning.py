@@ -10,7 +10,7 @@ from thinkblox.reading.english.antecedents import Antecedents
 from thinkblox.reading.english.chunks import Noun, are_neighbours
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Meaning, Where
-from thinkblox.reading.english.parts import relation_at
+from thinkblox.reading.english.parts import SIDES, relation_at
 from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.reading.english.referents import Referents, fits, is_small
 
@@ -40,6 +40,8 @@ _SIDES = 2
 """More sides than these are all around a thing."""
 _SEVERAL = 3
 """Of so many alike "between them" does not mean between the two of them."""
+_CORNERS = ("corner", "back left", "back right", "front left", "front right")
+"""Corners of a top."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
 _NUMBERS = {"three": 3, "four": 4}
@@ -363,18 +365,19 @@ class Meanings:
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
         loose, self.guessed = self.guessed, False
-        both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
+        both = _are_both(said)
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         self.ended = whole if said.value == "end" else self.ended
         kind = self._long_side(kind, said, whole, subjects, noun)
-        loose |= said.value == "end" and kind == "on"
+        loose |= kind == "on" and said.value in ("end", *_CORNERS)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
         if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
             return self._around_all(said.count or 0, meaning, subjects)
-        one_side = kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other")
-        kind, loose = ("at", True) if one_side else (kind, loose)
+        if kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other"):
+            kind = _at_one_side(said, whole)
+            loose |= kind == "at"
         far = where.word == "opposite" and said.value in _FAR_PARTS and said.det == "the" and not said.plural
         if said.value == "in_shelf" or far:
             kind = "opposite" if far else kind
@@ -383,11 +386,26 @@ class Meanings:
         lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
         if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):
             return Meaning("on", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
-        if where.word == "on" and self._lies_at_side(said, subjects, noun, whole):
-            return Meaning(
-                "on", meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=True
-            )
-        return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=loose)
+        part = self._side_of_top(where, said, kind, subjects[-1].noun if subjects else noun, whole)
+        kind, loose = ("on", not part) if part is not None else (kind, loose)
+        return Meaning(
+            kind,
+            meaning.anchors,
+            each=meaning.each,
+            both=both,
+            times=times,
+            told=meaning.told,
+            loose=loose,
+            part=part or "",
+        )
+
+    def _side_of_top(self, where: Where, said: Noun, kind: str, name: str, whole: Mention) -> str | None:
+        """At which side of a top something lies, "" where it cannot be told; None for what does not lie there."""
+        at_end = kind == "on" and said.value == "end" and (_are_both(said) or _is_one(said))
+        if not at_end and not self._lies_at_side(where, said, name, whole):
+            return None
+        part = "both" if _are_both(said) else "left" if _is_one(said) else said.value
+        return part if part == "both" or set(part.split()) <= set(SIDES) else ""
 
     def _long_side(self, kind: str, side: Noun, whole: Mention, subjects: list[Mention], noun: str) -> str:
         """How seats on "one side" and "the other" of a table stand to it: these are its long ones."""
@@ -412,7 +430,8 @@ class Meanings:
             return self._beyond_other(where.whole, subjects)
         if self.is_other_end(said) and where.whole is None and self.ended is not None:
             name = subjects[-1].noun if subjects else ""
-            return Meaning(relation_at("end", name, self.ended), (self.ended,), told=True)
+            kind = relation_at("end", name, self.ended)
+            return Meaning(kind, (self.ended,), told=True, part="right" if kind == "on" else "")
         if said.value == "end" and said.det == "other" and (where.whole is None or where.whole.kind == "room"):
             wall = self.place.anchors[0] if self.place is not None and self.anchor is None else ""
             if isinstance(wall, str) and wall.endswith("wall"):
@@ -433,18 +452,21 @@ class Meanings:
         first.kind = "left_of"
         return Meaning("right_of", (anchor,), told=True)
 
-    def _lies_at_side(self, said: Noun, subjects: list[Mention], noun: str, whole: Mention) -> bool:
+    def _lies_at_side(self, where: Where, said: Noun, name: str, whole: Mention) -> bool:
         """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
-        habits = load_habits()
-        ends = said.text.lower().endswith((" end", " edge"))
-        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det == "other":
+        habits, words = load_habits(), said.text.lower().split()
+        ends = words[-1] in ("end", "edge") or "far" in words or said.value in _CORNERS
+        if said.value not in (*SIDES, "side", "end", *_CORNERS) or said.det == "other":
             return False
-        if said.det == "my" and not (ends or said.text.lower().endswith(" side")):
+        if not ends and (where.word != "on" or (said.det == "my" and words[-1] != "side")):
             return False
-        name = subjects[-1].noun if subjects else noun
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
+        if lies and where.word == "on" and habits.is_in(whole.noun, "surfaces", "beds", "lounges"):
+            return True
         lies |= name.startswith("any_") and habits.is_in(name, "lamps")
-        return lies and habits.is_in(whole.noun, "tables", "desks", "counters", "worktops")
+        lies |= where.word == "on" and ends and habits.is_in(name, "plants", "lamps")
+        lies |= where.word == "on" and habits.tie(name, whole.noun) == "on"
+        return lies and where.word in ("on", "at", "in") and habits.is_in(whole.noun, *_TOPS)
 
     def _whole(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -750,9 +772,21 @@ def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
     return several and sides.value == "side" and not _ROUNDED & set(table.attributes)
 
 
+def _at_one_side(side: Noun, table: Mention) -> str:
+    """How seats on "one side" of a table, or on "the other", stand to it: at a long side, if there is one."""
+    if not load_habits().is_in(table.noun, *_TOPS) or _ROUNDED & {*table.attributes}:
+        return "at"
+    return "in_front_of" if _is_one(side) else "behind"
+
+
 def _is_at_end(where: Where, said: Noun) -> bool:
     """Whether it is "above the headboard", "under the foot"."""
     return where.word in ("above", "under", "behind") and said.value in ("head", "foot", "middle")
+
+
+def _are_both(side: Noun) -> bool:
+    """Whether it is "each side" or "both ends"."""
+    return side.det in ("each", "either", "both") or side.count == 2 or (side.plural and side.value != "top")
 
 
 def _is_one(side: Noun) -> bool:

@@ -100,7 +100,8 @@ class Meaning:
         times: how many sides, walls or corners were named with "each".
         told: the anchor was a pronoun, or what was mentioned before.
         pointed: the anchor was not named: "on it", "beside".
-        loose: it was said more closely where, and that is not kept: "on the left end of the desk".
+        loose: it was said more closely where, and that is not kept: "in the last third of the desk".
+        part: at which side of a top: "left", "right", "front", "back", or "both" for one at each end.
     """
 
     kind: str
@@ -112,6 +113,7 @@ class Meaning:
     told: bool = False
     pointed: bool = False
     loose: bool = False
+    part: str = ""
 
 
 @dataclass(eq=False)

@@ -27,6 +27,9 @@ def relation_at(part: str, name: str, whole: Mention) -> str:
             return _end(name, whole)
         case "head" if _lies_at_head(name) and not load_habits().is_in(whole.noun, "tables"):
             return "on"
+        case _ if part == "corner" or " " in part:
+            lies = load_habits().is_in(name, "small") and load_habits().is_in(whole.noun, "surfaces", "beds", "lounges")
+            return "on" if lies else "next_to"
         case "head":
             return "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
     return _PARTS.get(part, "on")
@@ -43,6 +46,6 @@ def _end(name: str, whole: Mention) -> str:
         return "near"
     if habits.is_in(whole.noun, "beds"):
         return "at_foot_of"
-    if habits.is_in(name, "small") and habits.is_in(whole.noun, "surfaces"):
+    if habits.is_in(name, "small", "plants") and habits.is_in(whole.noun, "surfaces"):
         return "on"
     return "at_short_side" if habits.is_in(whole.noun, "tables", "desks") else "next_to"

@@ -3,12 +3,13 @@
 from dataclasses import replace
 
 from thinkblox.assets.mounting import WALL_MOUNTED
-from thinkblox.reading.attach import bind
+from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
+from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.subjects import Subjects
@@ -278,14 +279,11 @@ class Positions(Subjects):
         return True
 
     def _settle_ends(self) -> None:
-        """Let what lies at the right end be to the right of what lies at the left one; one alone is not understood."""
+        """Let what lies at an end of something be at that side of its top."""
         for thing, carrier, where in self.at_ends:
-            part = where.noun.value if where.noun is not None else ""
-            across = [t for t, c, w in self.at_ends if c is carrier and w.noun is not None and w.noun.value != part]
-            kept = len(across) == 1 and {thing, *across} <= set(self.draft.things)
-            if kept and part == "right":
-                bind(self.draft, Bond("right_of", thing, (across[0],)))
-            elif not kept:
+            if where.noun is not None and {thing, carrier} <= set(self.draft.things):
+                bind(self.draft, Bond(relation_kind(SIDES[where.noun.value]), thing, (carrier,)))
+            else:
                 self._lose_where(where)
 
     def _is_side_of_wall(self, where: Where) -> bool:
@@ -377,6 +375,19 @@ class Positions(Subjects):
             return False
         return node is not None and node.frame is not None and node.frame.head is not None
 
+    def _stand_in_rows(self, where: Where, noun: Noun) -> None:
+        """Let what was named stand in rows, as many as these have where nobody said how many there are."""
+        things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
+        if things:
+            frame = things[0].frame
+            of_each = frame is not None and frame.each and frame.head is not None and frame.head.things
+            rowed = frame.head if of_each and frame is not None and frame.head is not None else things[0]
+            bind(self.draft, Bond("in_rows", rowed.things[-1], rows=max(noun.rows, 0)))
+            if noun.count and rowed.things[-1].count is None:
+                rowed.things[-1].count = noun.count
+        else:
+            self._lose_where(where)
+
     def _is_elsewhere(self, where: Where, noun: Noun) -> bool:
         """Take what follows a preposition without being a thing or place that others could stand to."""
         if noun.kind in ("people", "abstract"):
@@ -386,14 +397,7 @@ class Positions(Subjects):
             self._lose_where(where)
             return True
         if noun.kind == "number" and noun.rows:
-            things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
-            if things:
-                frame = things[0].frame
-                of_each = frame is not None and frame.each and frame.head is not None and frame.head.things
-                rowed = frame.head if of_each and frame is not None and frame.head is not None else things[0]
-                bind(self.draft, Bond("in_rows", rowed.things[-1], rows=max(noun.rows, 0)))
-            else:
-                self._lose_where(where)
+            self._stand_in_rows(where, noun)
             return True
         formation = {noun.word, *noun.text.lower().split()[-1:]} & grammar().lists["formations"]
         if noun.kind in ("thing", "part") and formation and where.word in ("in", "into") and noun.det != "the":

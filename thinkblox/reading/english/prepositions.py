@@ -120,10 +120,11 @@ class Prepositions(Negation):
         return True
 
     def _gives_one_a_row(self, link: Connector) -> bool:
-        """Read "one printer per row" as so many as there are rows."""
+        """Read "one printer per row" as so many as there are rows; where "in each row" they are is not kept."""
         row, node = self._next_noun(), self.frontier[-1] if self.frontier else None
         thing = node.thing if node is not None and not node.known else None
-        if link.value not in ("for", "per") or row is None or not row.rows or thing is None:
+        within = row is not None and link.value == "in" and row.det in ("each", "every")
+        if not (link.value in ("for", "per") or within) or row is None or not row.rows or thing is None:
             return False
         rows = next((t.rows for t in reversed(self.draft.things) if t.rows > 1 and t is not thing), 0)
         rows = rows or next((b.rows for b in reversed(self.draft.bonds) if b.rows > 1 and b.subject is not thing), 0)
@@ -131,6 +132,8 @@ class Prepositions(Negation):
             return False
         self._spend(row)
         self._go_past(row)
+        if within:
+            self._lose(link.start, row.end)
         thing.count = (thing.count or 1) * rows
         thing.plural = thing.count > 1
         return True

@@ -9,6 +9,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.naming import Naming
 from thinkblox.reading.english.nodes import Meaning
+from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small, last_word
 
 _SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to", "in_front_of")
@@ -69,6 +70,8 @@ class Relating(Naming):
             return
         self._share(bond)
         bind(self.draft, bond)
+        for side in SIDES.keys() & meaning.part.split():
+            bind(self.draft, Bond(relation_kind(SIDES[side]), subject, anchors, each=meaning.each))
         if kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
             self.referents.pairs += [(subject, anchor) for anchor in anchors if isinstance(anchor, Mention)]
 
@@ -91,7 +94,8 @@ class Relating(Naming):
     def _flanks(self, subjects: list[Mention], meaning: Meaning) -> bool:
         """One of two things "on either side" stands at the left, the other at the right."""
         anchor = meaning.anchors[0]
-        if not meaning.both or meaning.kind != "next_to" or len(subjects) != 1 or len(meaning.anchors) != 1:
+        beside = meaning.kind == "next_to" or meaning.part == "both"
+        if not (meaning.both and beside) or len(subjects) != 1 or len(meaning.anchors) != 1:
             return False
         if not isinstance(anchor, Mention) or anchor.many or meaning.each:
             return False
@@ -110,6 +114,8 @@ class Relating(Naming):
         self.referents.flanking |= {part, subject}
         for one, side in ((part, "left"), (subject, "right")):
             self.draft.bonds = [b for b in self.draft.bonds if b.subject is not one or not b.implied]
+            if meaning.part:
+                bind(self.draft, Bond("on", one, (anchor,)))
             bind(self.draft, Bond(relation_kind(f"{side}_of"), one, (anchor,)))
             self.sides[one] = side
         for node in self.frontier:

@@ -200,6 +200,9 @@ class Rooms(Memberships):
             return True
         marked = self._is_link(after, "mark") and not self._is_first_of_list(noun)
         if not noun.named and (roomish or introduces or with_ or marked) and not noun.many:
+            if noun.det == "a" and with_ and not roomish:
+                self.account.mark(noun.start, noun.end, "not_understood")
+                self.draft.unknown.append(f"{noun.text} (no such room or thing is known)")
             self._room(replace(noun, kind="room", value="room"))
             return True
         return False

@@ -178,6 +178,8 @@ class SecondOpinion:
         told += [b for b in self._draft.bonds if b.kind == "right_of" and set(b.anchors) & set(subjects)]
         part = place.to if place.to is not None and place.to.kind == "part" else None
         ends = _is_at_wall(told) or any(bond.kind == "at_short_side" for bond in told)
+        tops = [bond.anchors for bond in told if bond.kind == "on"]
+        ends |= any(bond.kind in ("left_of", "right_of") and bond.anchors in tops for bond in told)
         if part is not None and part.det == "other" and part.value == "end" and not ends:
             return False
         beside = (b for b in told if b.told and b.kind in _BESIDE and not is_small(b.subject))

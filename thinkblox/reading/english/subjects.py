@@ -107,7 +107,7 @@ class Subjects(Having):
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
         held = self._is_held(thing, frame) or frame.kind == "with"
-        if self._is_at_room_part(where) and held and not frame.each:
+        if self._is_at_room_part(where) and held and not (frame.each or self._is_end_of_top(where, thing, head)):
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
@@ -224,6 +224,12 @@ class Subjects(Having):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
+    def _is_end_of_top(self, where: Where, thing: Mention, head: Node) -> bool:
+        """Whether "at one end" is of what something lies on: "a sideboard with a lamp at one end"."""
+        ends = where.noun is not None and where.noun.value == "end" and where.whole is None
+        lies = any(b.kind == "on" and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing))
+        return ends and lies and self._belongs(head.things[-1].noun, "surfaces")
 
     def _is_side_of_room(self, where: Where) -> bool:
         """Whether "on the left" says where furniture stands: "shelves for shoes on the left"."""
