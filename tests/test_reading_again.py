@@ -104,7 +104,7 @@ def _turn(noun: str, to: str) -> Callable[[Draft], None]:
         # How many.
         ("A sofa and three lamps.", _count("lamps", 4), "three lamps (how many?)"),
         ("A sofa and a rug.", _count("sofa", 2), "A sofa (how many?)"),
-        ("Speakers on both sides of a desk.", _count("speakers", 3), "Speakers on both sides of a desk (how many?)"),
+        ("Chairs on both sides of a table.", _count("chairs", 3), "Chairs on both sides of a table (how many?)"),
         ("A picture between two windows.", lambda draft: draft.openings.clear(), "two windows (how many?)"),
     ],
 )  # fmt: skip

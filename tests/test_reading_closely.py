@@ -90,12 +90,12 @@ def ties(brief: Brief) -> Ties:
         (
             "A desk with a lamp on the left and a phone on the right.",
             {"desk_lamp": 1, "phone": 1},
-            {("on", "desk_lamp", ("desk",)), ("on", "phone", ("desk",)), ("right_of", "phone", ("desk_lamp",))},
+            {("on", "desk_lamp", ("desk",)), ("left_of", "desk_lamp", ("desk",)), ("right_of", "phone", ("desk",))},
         ),
         (
             "On the workbench are a vise at the left end and a drill at the right end.",
             {"vise": 1, "power_drill": 1},
-            {("on", "vise", ("workbench",)), ("right_of", "power_drill", ("vise",))},
+            {("on", "vise", ("workbench",)), ("right_of", "power_drill", ("workbench",))},
         ),
         (
             "Buckets of roses, tulips and sunflowers, one each, stand against the window.",

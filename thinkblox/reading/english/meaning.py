@@ -455,7 +455,7 @@ class Meanings:
     def _lies_at_side(self, where: Where, said: Noun, name: str, whole: Mention) -> bool:
         """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
         habits, words = load_habits(), said.text.lower().split()
-        ends = words[-1] in ("end", "edge") or "far" in words or said.value in _CORNERS
+        ends = words[-1] in ("end", "edge", "corner") or "far" in words or said.value in _CORNERS
         if said.value not in (*SIDES, "side", "end", *_CORNERS) or said.det == "other":
             return False
         if not ends and (where.word != "on" or (said.det == "my" and words[-1] != "side")):
@@ -464,7 +464,7 @@ class Meanings:
         if lies and where.word == "on" and habits.is_in(whole.noun, "surfaces", "beds", "lounges"):
             return True
         lies |= name.startswith("any_") and habits.is_in(name, "lamps")
-        lies |= where.word == "on" and ends and habits.is_in(name, "plants", "lamps")
+        lies |= where.word in ("on", "in") and ends and habits.is_in(name, "plants", "lamps")
         lies |= where.word == "on" and habits.tie(name, whole.noun) == "on"
         return lies and where.word in ("on", "at", "in") and habits.is_in(whole.noun, *_TOPS)
 

@@ -274,6 +274,8 @@ class Positions(Subjects):
             return False
         if not carried:
             bind(self.draft, Bond("on", thing, (carrier,)))
+        if where.whole is not None:
+            self._spend(where.whole)
         self.at_ends.append((thing, carrier, where))
         self.laid = True
         return True
@@ -282,6 +284,8 @@ class Positions(Subjects):
         """Let what lies at an end of something be at that side of its top."""
         for thing, carrier, where in self.at_ends:
             if where.noun is not None and {thing, carrier} <= set(self.draft.things):
+                for lying in (b for b in self.draft.bonds_of(thing) if b.kind == "on"):
+                    lying.implied = False
                 bind(self.draft, Bond(relation_kind(SIDES[where.noun.value]), thing, (carrier,)))
             else:
                 self._lose_where(where)

@@ -1,0 +1,116 @@
+"""Where on a top things lie, what is stacked two by two, grids of rows and columns, and rooms that nobody knows."""
+
+import pytest
+
+from tests.test_reading_plain_words import _asked
+from tests.test_reading_turns import related
+from thinkblox.generate import generate_room
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A desk with a lamp on its left side.", "1 desk_lamp on desk, 1 desk_lamp left_of desk"),
+        ("A counter; on its right end a cash register.", "1 cash_register right_of counter"),
+        (
+            "A desk with a lamp in the back left corner of the desk.",
+            "1 desk_lamp on desk, 1 desk_lamp behind desk, 1 desk_lamp left_of desk",
+        ),
+        ("A desk with a plant on the right corner of the desk.", "1 potted_plant on desk, 1 potted_plant right_of desk"),
+        ("A kitchen with a long counter; a toaster at the far left of the counter.", "1 toaster left_of base_cabinet"),
+        ("A sideboard with a vase at each end.", "1 vase left_of sideboard, 1 vase-2 right_of sideboard"),
+        ("A long dining table with a candle at either end of it.", "1 candle left_of dining_table"),
+        (
+            "A desk with a lamp at one end and a printer at the other end.",
+            "1 desk_lamp left_of desk, 1 printer right_of desk",
+        ),
+        ("A console table with a lamp at one end and a vase at the other.", "1 vase on console_table"),
+        ("A sofa with a cushion on the left side.", "1 pillow on sofa, 1 pillow left_of sofa"),
+        ("On the left side of the desk is a laptop; on the right side a stack of books.", "1 book_stack right_of desk"),
+        (
+            "An island in the middle, sinks at both ends.",
+            "1 sink left_of kitchen_island, 1 sink-2 right_of kitchen_island",
+        ),
+        ("A desk with a lamp on the left of it.", "1 floor_lamp left_of desk"),
+        ("A bench at the left end of the table.", "1 bench left_of dining_table"),
+        ("A kitchen with an island, three stools on one side of the island.", "3 bar_stool in_front_of kitchen_island"),
+        (
+            "A table, one chair on one side and two chairs on the opposite side.",
+            "1 chair in_front_of dining_table, 2 chair-2 behind dining_table",
+        ),
+        (
+            "A living room with a sofa on one side and a television on the opposite side.",
+            "1 sofa against_wall left_wall",
+        ),
+    ],
+)
+def test_what_is_at_a_side_of_a_top_is_there(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert set(relations.split(", ")) <= set(related(brief))
+    assert brief.unknown == ()
+
+
+def test_a_table_with_something_at_one_end_stands_where_it_will() -> None:
+    brief = read_brief("A long table with a vase at one end.")
+    assert not any("wall" in relation for relation in related(brief))
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A laundry with a stacked washer and dryer.",
+        "A laundry: stacked washer/dryer, a sink.",
+        "A laundry with a washer and a dryer stacked on top of each other in the corner.",
+        "A laundry with a washer and dryer, stacked, and a basket.",
+        "A laundry with a dryer stacked on a washer.",
+    ],
+)
+def test_a_washer_and_a_dryer_are_stacked(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert "1 dryer on washing_machine" in related(brief)
+    assert brief.unknown == ()
+    assert not any(request.states for request in brief.requests)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("A classroom with 24 chairs in 4 rows and 6 columns.", "24 chair"),
+        ("A classroom with chairs in 4 rows and 6 columns.", "24 chair"),
+        ("A classroom with desks in four columns and five rows.", "20 school_desk"),
+        ("A hall with chairs arranged in five rows by eight columns.", "40 chair"),
+        ("A meeting room with chairs in 3 rows of 5.", "15 chair"),
+        ("A temple with four columns and two rows of three benches.", "6 bench, 4 column"),
+    ],
+)
+def test_rows_and_columns_are_counted(prompt: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    assert _asked(brief) == asked
+    assert brief.unknown == ()
+
+
+def test_so_many_in_each_row_are_counted_and_where_is_asked() -> None:
+    brief = read_brief("A greenhouse with three rows of three planters and two plants in each row.")
+    assert _asked(brief) == "6 plant, 9 planter"
+    assert brief.unknown == ("in each row",)
+
+
+def test_a_first_word_that_nobody_knows_is_said() -> None:
+    assert read_brief("A glorp with a clock on the wall.").unknown == ("A glorp (no such room or thing is known)",)
+
+
+def test_things_lie_where_on_the_top_they_were_asked_for() -> None:
+    made = generate_room(
+        "An office with a desk with a lamp in the back left corner of the desk and a stack of books on its right side.",
+        fill="named",
+    )
+    (desk,) = (p for p in made.scene.placements if p.category == "desk")
+    lamp, books = (
+        next(desk.to_local((p.position[0], p.position[1])) for p in made.scene.placements if p.category == category)
+        for category in ("desk_lamp", "book_stack")
+    )
+    assert lamp[0] < -desk.size[0] / 6
+    assert lamp[1] > desk.size[1] / 6
+    assert books[1] < -desk.size[1] / 6
+    assert all(relation.holds for relation in made.report.relations)
