@@ -158,7 +158,7 @@ def _fill_shelves(cases: list[Mention], laid: list[Bond], most: int) -> None:
         return
     for case in cases:
         carries = any(case in b.anchors for b in laid)
-        if not carries and not {"empty", "filled"} & set(case.attributes):
+        if not carries and not {"empty", "filled"} & {*case.attributes, *case.states}:
             case.attributes.append("filled")
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
+from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
@@ -21,13 +22,17 @@ from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.idioms import plainly
+from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.reasons import with_reasons
+from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
+from thinkblox.reading.english.switched import with_switched
+from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -51,7 +56,8 @@ _NEIGHBOUR = re.compile(
 )
 """What stands next to what was spoken of."""
 _IMAGINED = re.compile(
-    r"(?:^|(?<=[.!?\n] ))(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
+    r"(?:^|(?<=[.!?\n] )|(?<=\bso )|(?<=\bnow )|(?<=\bjust )|(?<=\bplease )|(?<=, ))"
+    r"(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
@@ -76,12 +82,16 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = plainly(with_parts(_spelt_out(lexicon.tokens(text))))
+    tokens = plainly(with_abilities(with_parts(_spelt_out(lexicon.tokens(text)))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_tasks,
+        with_rough,
+        with_kept_clear,
+        with_switched,
         with_bare_places,
         with_noughts,
         with_nothing_else,

@@ -1,0 +1,121 @@
+"""Things said the way people say them in passing: tasks, what is left empty, what is on or off, loose numbers."""
+
+import pytest
+
+from tests.test_reading_turns import related
+from thinkblox.brief import Brief, Request
+from thinkblox.reading import read_brief
+
+
+def _asked(brief: Brief) -> str:
+    """What the prompt asks for: "2 chair, 1 desk"."""
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        if request.asked:
+            counts[request.category] = counts.get(request.category, 0) + request.count
+    return ", ".join(f"{count} {category}" for category, count in sorted(counts.items()))
+
+
+def _of(brief: Brief, category: str) -> Request:
+    return next(request for request in brief.requests if request.category == category)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A bedroom with a bed and a bookcase. Leave the bookcase empty.", "bookcase"),
+        ("An office with a desk. Keep the desk clear.", "desk"),
+        ("An office with a desk. The desk is clear.", "desk"),
+        ("A library with three shelving units. Leave the last one empty.", "shelving_unit"),
+    ],
+)
+def test_a_thing_that_is_left_empty_empties_no_room(prompt: str, category: str) -> None:
+    brief = read_brief(prompt)
+    assert _of(brief, category).states == ("empty",)
+    assert "filled" not in _of(brief, category).attributes
+    assert not brief.empty
+    assert brief.unknown == ()
+
+
+def test_the_middle_of_a_room_is_still_left_clear() -> None:
+    assert read_brief("Keep the center of the room clear. A table by the wall.").free == ("centre",)
+
+
+@pytest.mark.parametrize("said", ["Leave the bottom shelf empty.", "The top shelf is empty."])
+def test_a_shelf_that_is_left_empty_is_told(said: str) -> None:
+    brief = read_brief(f"A pantry with a shelving unit. {said}")
+    assert brief.unknown == (said[:-1],)
+    assert not brief.empty
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "state"),
+    [
+        ("A bed and a lamp. The lamp is on.", "floor_lamp", "switched on"),
+        ("A bed and a TV that is off.", "tv", "switched off"),
+        ("A bed, and a desk with the lamp on.", "desk_lamp", "switched on"),
+        ("A nightstand with a lamp which is on.", "table_lamp", "switched on"),
+    ],
+)
+def test_what_is_on_or_off(prompt: str, category: str, state: str) -> None:
+    assert _of(read_brief(prompt), category).states == (state,)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("A sofa. Her old chair can stay.", "1 chair, 1 sofa"),
+        ("A desk and a toy box. The toy box can stay on the floor.", "1 desk, 1 toy_box"),
+        ("The trash can stands by the door.", "1 waste_bin"),
+        ("A kitchen table. A red can is on it.", "1 kitchen_table, 1 tin_can"),
+    ],
+)
+def test_what_can_stay_is_no_can(prompt: str, asked: str) -> None:
+    assert _asked(read_brief(prompt)) == asked
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("Task: clear the table. Dining table with two plates.", "1 dining_table, 2 plate"),
+        ("Please wipe down the desk. There is a desk with a lamp on it.", "1 desk, 1 desk_lamp"),
+        ("Pick up the mug. A counter with a mug and a plate.", "1 counter, 1 cup, 1 plate"),
+        ("Grab the red mug. A table with a red mug and a blue mug.", "2 cup, 1 dining_table"),
+        ("The sofa faces the TV. A sofa stands by the window.", "2 sofa, 1 tv"),
+        ("A reading room. Lamps not on the tables. Three tables.", "3 dining_table, 3 table_lamp"),
+        ("Put a plate on the tables. There are four round tables.", "4 dining_table, 1 plate"),
+    ],
+)
+def test_what_is_pointed_at_first_and_told_of_later_is_one_thing(prompt: str, asked: str) -> None:
+    assert _asked(read_brief(prompt)) == asked
+
+
+@pytest.mark.parametrize(
+    "prompt", ["Home office, nothing fancy: desk, chair.", "A home office, not too fancy, with a desk and a chair."]
+)
+def test_a_look_that_is_denied_is_no_style(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.style == ()
+    assert _asked(brief) == "1 chair, 1 desk"
+
+
+def test_one_or_two() -> None:
+    plant = _of(read_brief("A chair, a plant or two."), "plant")
+    assert (plant.least, plant.most) == (1, 2)
+
+
+def test_any_of_the_desks() -> None:
+    brief = read_brief("Two desks, a chair and a printer. The printer isn't next to any of the desks.")
+    assert [r.negated for r in brief.relations if r.subject == "printer"] == [True]
+    assert "1 printer next_to desk" in related(brief)
+    assert brief.unknown == ()
+
+
+def test_what_is_optional_and_left_out() -> None:
+    brief = read_brief("A sofa and a clothes rack. The clothes rack is optional, so leave it out.")
+    assert _asked(brief) == "1 sofa"
+    assert brief.excluded == ("clothes_rack",)
+
+
+def test_what_is_to_be_pictured_is_no_picture() -> None:
+    assert _asked(read_brief("OK so picture a grocery with a counter.")) == "1 counter"
