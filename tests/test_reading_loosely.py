@@ -119,3 +119,97 @@ def test_what_is_optional_and_left_out() -> None:
 
 def test_what_is_to_be_pictured_is_no_picture() -> None:
     assert _asked(read_brief("OK so picture a grocery with a counter.")) == "1 counter"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "states"),
+    [
+        (
+            "A dishwasher and a table. The dishwasher is right of the table and its door is open.",
+            "dishwasher",
+            ("open",),
+        ),
+        ("A toolbox on the table, its lid is open.", "toolbox", ("open",)),
+        ("A cupboard by the wall and its door is ajar.", "cabinet", ("ajar",)),
+        ("Four chairs tucked in. A dining table.", "chair", ("pushed in",)),
+    ],
+)
+def test_a_state_told_of_a_part(prompt: str, category: str, states: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert _of(brief, category).states == states
+    assert brief.free == ()
+    assert not any(request.category in ("lid", "door") for request in brief.requests)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked", "unknown"),
+    [
+        (
+            "A sideboard and two toy cars. All drawers of the sideboard are closed except the top one.",
+            "1 sideboard, 2 toy_car",
+            ("except the top one",),
+        ),
+        (
+            "A dining room. The table seats eight, but only six chairs are there; the two missing ones are stacked.",
+            "6 chair, 1 dining_table",
+            ("the two missing ones",),
+        ),
+        (
+            "Crates of oranges, lemons and apples by the window, one crate each.",
+            "3 apple, 3 crate, 3 lemon, 3 orange",
+            ("one crate each",),
+        ),
+        ("A tripod faces the backdrop at a distance of 3 m.", "1 backdrop, 1 camera_tripod", ("at a distance of 3 m",)),
+        ("A workbench carries a robot arm at its left end.", "1 robot_arm, 1 workbench", ("at its left end",)),
+    ],
+)
+def test_what_is_not_understood_changes_nothing_else(prompt: str, asked: str, unknown: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert sorted(_asked(brief).split(", ")) == sorted(asked.split(", "))
+    assert brief.unknown == unknown
+    assert brief.excluded == ()
+    assert all(request.size == (None, None, None) and not request.unshown for request in brief.requests)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "related_"),
+    [
+        ("Six beds. An IV stand next to all but two of the beds.", "4 drip_stand next_to bed-2"),
+        ("Four desks. Chairs at all of them except one.", "3 chair at desk-2"),
+        ("Four desks. A lamp on all but one of the desks.", "3 desk_lamp on desk-2"),
+        ("A bedroom with a queen bed whose headboard is against the wall.", "1 bed against_wall wall"),
+        ("A workbench carries a robot arm at its left end.", "1 robot_arm on workbench"),
+        (
+            "A workbench with a vise, a truing stand, two screwdrivers and a tin of grease.",
+            "2 screwdriver on workbench",
+        ),
+        ("A workbench with a vise, a truing stand, two screwdrivers and a tin of grease.", "1 tin_can on workbench"),
+        ("A desk with a laptop, a mug full of pens and a stack of notebooks.", "1 cup on desk"),
+        ("Four desks. Each desk has a mug with two pens and a laptop.", "4 laptop on desk"),
+        ("Six benches. Every bench carries a microscope, a rack holding 4 test tubes.", "6 test_tube_rack on bench"),
+        (
+            "Six benches. Every bench carries a microscope, a rack holding 4 test tubes and a box of gloves.",
+            "6 box_of_gloves on bench",
+        ),
+        ("A table with a bowl holding two apples and a melon.", "1 melon inside bowl"),
+    ],
+)
+def test_where_what_is_listed_belongs(prompt: str, related_: str) -> None:
+    assert related_ in related(read_brief(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "attributes"),
+    [
+        ("In the room is one big table from glass.", "dining_table", ("large", "glass")),
+        ("A desk with a lamp (hers is yellow), a pencil cup and a globe.", "desk_lamp", ("yellow",)),
+    ],
+)
+def test_looks_told_afterwards(prompt: str, category: str, attributes: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert {*attributes} <= {*_of(brief, category).attributes}
+    assert brief.unknown == ()
+
+
+def test_what_people_own_is_there() -> None:
+    assert _asked(read_brief("A bedroom for a musician who owns three guitars and a piano.")) == "3 guitar, 1 piano"

@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.said import is_link
 
 _PLAIN = frozenset("fancy fussy flashy special elaborate extravagant luxurious showy posh grand elegant".split())
 """What is denied of a room that is to be like any other."""
+_OWN = ("hers", "his", "mine", "ours", "theirs", "yours")
 _ANY = ("any", "either")
 
 
@@ -24,6 +25,15 @@ def with_rough(chunks: Sequence[Chunk]) -> list[Chunk]:
                 Connector("fillers", "words", c.start, c.end, getattr(c, "text", "")) for c in chunks[at:][:length]
             ]
             at += length
+        elif _is_own_in_brackets(chunks, at):
+            made += map(_filler, chunks[at : at + 2])
+            at += 2
+        elif length := _told_far(chunks, at):
+            made.append(Stray(chunks[at].start, chunks[at + length - 1].end, "at a distance"))
+            at += length
+        elif _is_each_again(chunks, at):
+            made.append(Stray(chunks[at].start, chunks[at + 1].end, getattr(chunks[at], "text", "")))
+            at += 2
         elif _is_any_of(chunks, at):
             at += 2
         else:
@@ -68,6 +78,36 @@ def _is_any_of(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     noun = chunks[at + 2]
     return is_link(chunks[at + 1], "prepositions", "of") and isinstance(noun, Noun) and noun.definite
+
+
+def _is_own_in_brackets(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "(hers is yellow)" comes, which tells of what was named before the bracket."""
+    own = chunks[at]
+    if not isinstance(own, Noun) or own.text.lower() not in _OWN or not at or at + 2 >= len(chunks):
+        return False
+    told = is_link(chunks[at + 1], "verbs", "be") and isinstance(chunks[at + 2], Adjective)
+    return told and is_link(chunks[at - 1], "mark", "open")
+
+
+def _told_far(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks "at a distance of 3 m" has; 0 where it does not come."""
+    if not is_link(chunks[at], "prepositions") or at + 3 >= len(chunks):
+        return 0
+    distance, of, length = chunks[at + 1 : at + 4]
+    told = isinstance(distance, Noun) and distance.word == "distance" and is_link(of, "prepositions", "of")
+    return 4 if told and isinstance(length, Measured) else 0
+
+
+def _is_each_again(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "one crate each" comes after "crates of apples and pears", of which it says what each is for."""
+    noun, each = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+    if not isinstance(noun, Noun) or not isinstance(each, Noun) or each.value != "each" or noun.kind != "thing":
+        return False
+    if noun.count != 1 or not at or not is_link(chunks[at - 1], "mark", "comma", "dash", "open"):
+        return False
+    ends = next((n for n in range(at - 1, -1, -1) if is_link(chunks[n], "mark", "stop", "semicolon")), -1)
+    said = (c for c in chunks[ends + 1 : at] if isinstance(c, Noun) and c.kind == "thing")
+    return any(c.value == noun.value and c.plural for c in said)
 
 
 def _filler(chunk: Chunk) -> Connector:
