@@ -211,5 +211,63 @@ def test_looks_told_afterwards(prompt: str, category: str, attributes: tuple[str
     assert brief.unknown == ()
 
 
+@pytest.mark.parametrize(
+    ("prompt", "denied", "told"),
+    [
+        (
+            "Don't put any lamps on the tables - they should stand on the floor instead, two of them. Two tables.",
+            ("floor_lamp", "on", "dining_table"),
+            "2 floor_lamp on floor",
+        ),
+        (
+            "A kitchen with a counter and a table. Do not put a toaster on the counter, it should go on the table.",
+            ("toaster", "on", "base_cabinet"),
+            "1 toaster on kitchen_table",
+        ),
+        (
+            "Two chairs. Don't place a plant in the corner, but it should be near the window.",
+            ("plant", "in_corner", "corner"),
+            "1 plant near window",
+        ),
+        (
+            "A sofa and a desk. No lamp on the desk, it stands on the floor.",
+            ("floor_lamp", "on", "desk"),
+            "1 floor_lamp on floor",
+        ),
+    ],
+)
+def test_what_is_barred_from_one_place_is_at_another(prompt: str, denied: tuple[str, str, str], told: str) -> None:
+    brief = read_brief(prompt)
+    assert told in related(brief)
+    assert denied in [(r.subject, r.kind, *r.anchors) for r in brief.relations if r.negated]
+    assert brief.excluded == ()
+    assert brief.unknown == ()
+
+
+def test_what_is_barred_from_a_place_and_told_nowhere_else_is_not_there() -> None:
+    assert read_brief("A bedroom with two nightstands. Don't put lamps on the nightstands.").excluded == ("any_lamp",)
+
+
+def test_no_seat_is_assumed_where_one_was_left_out() -> None:
+    brief = read_brief("Office with four desks. Chairs at all of them except one.")
+    assert sum(r.count for r in brief.requests if "chair" in r.category) == 3
+
+
+def test_a_table_in_a_nook_for_two_is_for_two() -> None:
+    brief = read_brief("A breakfast nook for two with a bench and a round table.")
+    assert "for-2" in _of(brief, "dining_table").attributes
+
+
+def test_what_each_has_may_be_something_unknown() -> None:
+    brief = read_brief("Four tables. Each table gets six chairs, a power strip and a desk lamp.")
+    assert _asked(brief) == "24 chair, 4 desk_lamp, 4 dining_table, 4 power_strip"
+    assert brief.unknown == ()
+
+
+def test_in_front_from() -> None:
+    brief = read_brief("In front from the wardrobe is lying a soft carpet. To the left from it is a lamp.")
+    assert related(brief) == {"1 rug in_front_of wardrobe", "1 floor_lamp left_of rug"}
+
+
 def test_what_people_own_is_there() -> None:
     assert _asked(read_brief("A bedroom for a musician who owns three guitars and a piano.")) == "3 guitar, 1 piano"

@@ -18,6 +18,7 @@ from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
+from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
@@ -66,6 +67,10 @@ _IMAGINED = re.compile(
 """An order to imagine what comes."""
 _WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?= (?:against|to)\b)", re.IGNORECASE)
 """How a thing stands, told of a part of it."""
+_FROM = re.compile(
+    r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
+)
+"""What others say for "in front of"."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -85,6 +90,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
+    text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
@@ -99,6 +105,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_all_but,
         with_holders,
         with_passing,
+        with_denied_places,
         with_kept_clear,
         with_switched,
         with_bare_places,

@@ -2,7 +2,7 @@
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
@@ -100,7 +100,15 @@ class Ties(Relating):
         if inverse and self.separator == "comma" and self._is_told_next():
             return False
         head = frame.head.thing if frame.head is not None else None
-        return frame.times > 1 if head is None else self._fits_in(frame, head, thing)
+        return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_one_more_of_list(self, frame: Listed, head: Mention, thing: Mention) -> bool:
+        return self._is_listed_for_each(frame, thing) or self._fits_in(frame, head, thing)
+
+    def _is_listed_for_each(self, frame: Listed, thing: Mention) -> bool:
+        """Whether a list of what each has goes on with it: "each has six chairs, a power strip and a lamp"."""
+        listed = frame.each and not frame.closing and self.verb == "have" and self.separator == "comma"
+        return listed and not self.habits.is_in(thing.noun, *FURNITURE) and self._is_listed_on()
 
     def _is_as_many(self, frame: Listed, thing: Mention) -> bool:
         """Whether there is one for each of several in all: "four desks, each with a laptop, and four chairs"."""
@@ -142,12 +150,16 @@ class Ties(Relating):
     def _is_listed_on(self) -> bool:
         """Whether a list goes on to its "and" and its end: "each has a locker on its left, | a table and a chair"."""
         listed = self.chunks[self.at :]
-        ends = next((at for at, c in enumerate(listed) if self._is_link(c, "mark", "stop", "semicolon")), len(listed))
+        ends = next((at for at, c in enumerate(listed) if self._stops(c)), len(listed))
         plain = all(
             isinstance(c, Noun) or self._is_link(c, "mark", "comma") or self._is_link(c, "joins", "and")
             for c in listed[:ends]
         )
         return plain and (self.separator == "and" or any(self._is_link(c, "joins", "and") for c in listed[:ends]))
+
+    def _stops(self, chunk: Chunk) -> bool:
+        """Whether a sentence ends, or what is not understood comes."""
+        return isinstance(chunk, Stray) or self._is_link(chunk, "mark", "stop", "semicolon")
 
     def _told_at_end(self) -> Connector | None:
         """How a list ends that says where each is to its head: "each with a desk, a chair and a bin under it"."""
