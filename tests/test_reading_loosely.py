@@ -55,10 +55,61 @@ def test_a_shelf_that_is_left_empty_is_told(said: str) -> None:
         ("A bed and a TV that is off.", "tv", "switched off"),
         ("A bed, and a desk with the lamp on.", "desk_lamp", "switched on"),
         ("A nightstand with a lamp which is on.", "table_lamp", "switched on"),
+        ("Two screens, both off, on a desk.", "monitor", "switched off"),
+        ("Two screens which are off on a desk.", "monitor", "switched off"),
     ],
 )
 def test_what_is_on_or_off(prompt: str, category: str, state: str) -> None:
     assert _of(read_brief(prompt), category).states == (state,)
+
+
+def test_one_on_and_one_off() -> None:
+    states = [r.states for r in read_brief("Two lamps, one on and one off.").requests]
+    assert states == [("switched on",), ("switched off",)]
+
+
+@pytest.mark.parametrize("prompt", ["The table the lamp is on. A vase.", "Two lamps, one on the desk and one on it."])
+def test_what_is_on_a_thing_is_not_switched_on(prompt: str) -> None:
+    assert not any(request.states for request in read_brief(prompt).requests)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "attributes", "style", "unknown"),
+    [
+        ("A bedroom with a bed, nothing modern.", (), (), ("nothing modern",)),
+        ("A living room with a sofa, nothing too big.", ("small",), (), ()),
+        ("A living room with a sofa, not too big.", ("small",), (), ()),
+    ],
+)
+def test_nothing_of_a_look(
+    prompt: str, attributes: tuple[str, ...], style: tuple[str, ...], unknown: tuple[str, ...]
+) -> None:
+    brief = read_brief(prompt)
+    assert brief.requests[0].attributes == attributes
+    assert (brief.style, brief.unknown) == (style, unknown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "attributes"),
+    [
+        ("A table and a chair. Use oak for the table.", {"dining_table": "oak"}),
+        (
+            "A desk and a chair. Use dark wood for the desk and leather for the chair.",
+            {"desk": "wooden", "chair": "leather"},
+        ),
+    ],
+)
+def test_what_is_used_for_things(prompt: str, attributes: dict[str, str]) -> None:
+    brief = read_brief(prompt)
+    assert brief.unknown == ()
+    for category, attribute in attributes.items():
+        assert attribute in _of(brief, category).attributes
+
+
+def test_what_must_not_block_the_door_leaves_it_free() -> None:
+    brief = read_brief("Bedroom with a wardrobe. The wardrobe must not block the door.")
+    assert brief.free == ("door",)
+    assert brief.excluded == ()
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,10 @@ _OWNERS = ("who", "that", "i", "we", "they", "you", "she", "he")
 _TUCKED = "pushed in"
 _MOVED = ("door", "lid", "drawer", "flap", "hatch")
 """Parts that are open or closed as what they are of is said to be."""
+_USING = ("use", "using", "choose", "take", "pick")
+_BLOCKING = ("block", "obstruct", "blocking", "obstructing")
+_FOR = 3
+"""How many chunks after "use" it is said what for."""
 _LEANING = ("leans", "lean", "leaning")
 
 
@@ -45,6 +49,17 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
             at += length - 1
         elif isinstance(chunk, Noun) and (material := _material(chunks, at)):
             made.append(replace(chunk, end=chunks[at + 2].end, attributes=[*chunk.attributes, material]))
+            at += 2
+        elif _is_made_of(chunks, at) and isinstance(looks := chunks[at + _FOR - 2], Adjective):
+            thing = chunks[at + _FOR]
+            if isinstance(thing, Noun):
+                words = " ".join((looks.text, thing.text.split()[-1]))
+                told = [*thing.attributes, *looks.attributes]
+                made.append(replace(thing, start=looks.start, attributes=told, text=f"the {words}"))
+            at += _FOR
+        elif _is_in_way(chunks, at):
+            made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
+            made.append(Adjective(chunks[at + 1].start, chunks[at + 1].end, "free", states=["free"]))
             at += 2
         elif isinstance(chunk, Connector) and _is_leant_on(chunks, at):
             made.append(replace(chunk, value="next_to"))
@@ -97,6 +112,28 @@ def _material(chunks: Sequence[Chunk], at: int) -> str:
     bare = not (matter.det or matter.count or matter.plural or matter.attributes)
     from_it = is_link(chunks[at + 1], "prepositions", "from") and bare
     return matter.value if from_it and matter.value in MATERIALS and matter.word == matter.value else ""
+
+
+def _is_made_of(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "use oak for the table" comes, or "and linen for the curtains" after it."""
+    if at + _FOR >= len(chunks):
+        return False
+    use, looks, link, thing = chunks[at : at + _FOR + 1]
+    first = isinstance(use, Connector) and use.sort == "verbs" and use.text.lower() in _USING
+    again = is_link(use, "joins", "and") and any(
+        isinstance(c, Connector) and c.text.lower() in _USING for c in chunks[max(0, at - _FOR - 1) : at]
+    )
+    known = isinstance(thing, Noun) and thing.kind == "thing" and thing.det in ("the", "my", "all")
+    told = isinstance(looks, Adjective) and bool(looks.attributes) and is_link(link, "prepositions", "for")
+    return (first or again) and known and told
+
+
+def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "must not block the door" comes."""
+    block, place = (*chunks[at + 1 : at + 3], None, None)[:2]
+    denied = is_link(chunks[at], "negations", "not", "exclude")
+    blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
+    return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
 
 
 def _is_leant_on(chunks: Sequence[Chunk], at: int) -> bool:

@@ -8,6 +8,7 @@ from thinkblox.reading.english.said import is_link
 
 _PLAIN = frozenset("fancy fussy flashy special elaborate extravagant luxurious showy posh grand elegant".split())
 """What is denied of a room that is to be like any other."""
+_SIZES = {"large", "small", "tall", "low", "wide", "narrow", "long"}
 _OWN = ("hers", "his", "mine", "ours", "theirs", "yours")
 _ANY = ("any", "either")
 
@@ -21,9 +22,7 @@ def with_rough(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(_or_more(chunks[at], chunks[at + 2]))
             at += 3
         elif length := _denied_looks(chunks, at):
-            made += [
-                Connector("fillers", "words", c.start, c.end, getattr(c, "text", "")) for c in chunks[at:][:length]
-            ]
+            made += _denied(chunks[at : at + length])
             at += length
         elif _is_own_in_brackets(chunks, at):
             made += map(_filler, chunks[at : at + 2])
@@ -61,14 +60,27 @@ def _or_more(one: Chunk, number: Chunk) -> Noun:
 
 
 def _denied_looks(chunks: Sequence[Chunk], at: int) -> int:
-    """How many chunks "nothing fancy", "not too fancy" have; 0 where they do not come."""
+    """How many chunks "nothing modern", "not too fancy" have; 0 where they do not come."""
     if not is_link(chunks[at], "negations", "nothing", "not"):
         return 0
     length = 1
     while at + length < len(chunks) and is_link(chunks[at + length], "fillers"):
         length += 1
-    said = chunks[at + length] if at + length < len(chunks) else None
-    return length + 1 if isinstance(said, Adjective) and said.text.lower() in _PLAIN else 0
+    said, after = (*chunks[at + length : at + length + 2], None, None)[:2]
+    if not isinstance(said, Adjective) or isinstance(after, Noun):
+        return 0
+    plain = said.text.lower() in _PLAIN
+    return length + 1 if plain or (is_link(chunks[at], "negations", "nothing") and not said.states) else 0
+
+
+def _denied(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Nothing of what no room needs; what is not to be large, as it is denied elsewhere; else it is not understood."""
+    no, said = chunks[0], chunks[-1]
+    if not isinstance(said, Adjective) or said.text.lower() in _PLAIN:
+        return [_filler(chunk) for chunk in chunks]
+    if {*said.attributes} <= _SIZES and said.attributes:
+        return [Connector("negations", "not", no.start, no.end, "not"), *chunks[1:]]
+    return [Stray(no.start, said.end, f"nothing {said.text}")]
 
 
 def _is_any_of(chunks: Sequence[Chunk], at: int) -> bool:

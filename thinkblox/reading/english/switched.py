@@ -10,7 +10,14 @@ _STATES = {"on": "switched on", "off": "switched off"}
 
 def with_switched(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which an "on" or "off" that leads to nothing says that something is switched on or off."""
-    return [_switched(chunks, at) if _is_switched(chunks, at) else chunk for at, chunk in enumerate(chunks)]
+    made = list(chunks)
+    for at in range(1, len(made)):
+        if _is_switched(made, at):
+            made[at] = _switched(made, at)
+            said = made[at - 1]
+            if isinstance(said, Noun) and said.det in ("both", "all"):
+                made[at - 1] = Connector("fillers", "words", said.start, said.end, said.text)
+    return made
 
 
 def _is_switched(chunks: Sequence[Chunk], at: int) -> bool:
@@ -19,7 +26,16 @@ def _is_switched(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     after = chunks[at + 1] if at + 1 < len(chunks) else None
     ends = after is None or is_link(after, "mark", "stop", "semicolon", "comma", "close") or is_link(after, "joins")
-    return ends and (is_link(chunks[at - 1], "verbs", "be") or _is_had(chunks, at - 1))
+    ends |= link.text.lower() == "off" and is_link(after, "prepositions")
+    return ends and (_is_said(chunks, at - 1) or _is_had(chunks, at - 1))
+
+
+def _is_said(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "the lamp is" stands there, and not the "the table the lamp is" of what it is on; or "both", "one"."""
+    said, apart = chunks[at], at < 1 or is_link(chunks[at - 1], "mark") or is_link(chunks[at - 1], "joins")
+    if isinstance(said, Noun):
+        return apart and at > 0 and said.kind in ("pronoun", "number")
+    return is_link(said, "verbs", "be") and not (at > 1 and all(isinstance(c, Noun) for c in chunks[at - 2 : at]))
 
 
 def _is_had(chunks: Sequence[Chunk], at: int) -> bool:
