@@ -322,3 +322,29 @@ def test_in_front_from() -> None:
 
 def test_what_people_own_is_there() -> None:
     assert _asked(read_brief("A bedroom for a musician who owns three guitars and a piano.")) == "3 guitar, 1 piano"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "hung"),
+    [
+        (
+            "A whiteboard is on the wall, and to the left of it hangs a fire extinguisher.",
+            "1 wall_extinguisher on wall",
+        ),
+        ("A fire extinguisher hangs by the door.", "1 wall_extinguisher on wall"),
+        ("A shelf hangs next to the window.", "1 wall_shelf on wall"),
+        ("A guitar hangs beside the bed.", "1 wall_guitar on wall"),
+    ],
+)
+def test_what_hangs_beside_something_hangs_on_the_wall(prompt: str, hung: str) -> None:
+    brief = read_brief(prompt)
+    assert hung in related(brief)
+    assert brief.unknown == ()
+
+
+def test_what_hangs_and_cannot_is_told() -> None:
+    assert read_brief("Four plants hang next to the window.").unknown == ("Four plants hang",)
+
+
+def test_an_opposite_corner_is_told() -> None:
+    assert read_brief("A bed in one corner and a desk in the opposite corner.").unknown == ("the opposite corner",)
