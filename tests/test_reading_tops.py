@@ -17,7 +17,10 @@ from thinkblox.reading import read_brief
             "A desk with a lamp in the back left corner of the desk.",
             "1 desk_lamp on desk, 1 desk_lamp behind desk, 1 desk_lamp left_of desk",
         ),
-        ("A desk with a plant on the right corner of the desk.", "1 potted_plant on desk, 1 potted_plant right_of desk"),
+        (
+            "A desk with a plant on the right corner of the desk.",
+            "1 potted_plant on desk, 1 potted_plant right_of desk",
+        ),
         ("A kitchen with a long counter; a toaster at the far left of the counter.", "1 toaster left_of base_cabinet"),
         ("A sideboard with a vase at each end.", "1 vase left_of sideboard, 1 vase-2 right_of sideboard"),
         ("A long dining table with a candle at either end of it.", "1 candle left_of dining_table"),
@@ -32,7 +35,7 @@ from thinkblox.reading import read_brief
             "An island in the middle, sinks at both ends.",
             "1 sink left_of kitchen_island, 1 sink-2 right_of kitchen_island",
         ),
-        ("A desk with a lamp on the left of it.", "1 floor_lamp left_of desk"),
+        ("A desk with a lamp to the left of it.", "1 floor_lamp left_of desk"),
         ("A bench at the left end of the table.", "1 bench left_of dining_table"),
         ("A kitchen with an island, three stools on one side of the island.", "3 bar_stool in_front_of kitchen_island"),
         (

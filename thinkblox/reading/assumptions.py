@@ -41,6 +41,7 @@ _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
 """A table at which one in so many sits is not where the people of a room have their places."""
+_BENCH = "bench"
 _MOST_MEET = 12
 """More people than this do not all meet at one table."""
 _SEVERAL = 2
@@ -158,7 +159,7 @@ def _fill_shelves(cases: list[Mention], laid: list[Bond], most: int) -> None:
         return
     for case in cases:
         carries = any(case in b.anchors for b in laid)
-        if not carries and not {"empty", "filled"} & set(case.attributes):
+        if not carries and not {"empty", "filled"} & {*case.attributes, *case.states}:
             case.attributes.append("filled")
 
 
@@ -231,8 +232,17 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         told = draft.excluded if own else (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
+        elif _is_excepted(draft, table):
+            continue  # "Chairs at all desks but one."
         elif seat and not (drawn or there) and not any(counts_as(seat, n) for n in told):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_excepted(draft: Draft, table: Mention) -> bool:
+    """Whether seats were asked for at others that were named with it."""
+    others = [t for t in draft.things if t is not table and t.noun == table.noun and t.text == table.text]
+    seats = (b for b in draft.bonds if b.asked and b.kind in _BEFORE and not b.negated)
+    return bool(others) and any(a in others for b in seats for a in b.anchors if isinstance(a, Mention))
 
 
 def _is_worked_on(draft: Draft, table: Mention) -> bool:
@@ -578,6 +588,7 @@ def _share_table(draft: Draft) -> None:
     habits = load_habits()
     seats = [t for t in draft.things if habits.is_in(t.noun, "seats") and not habits.is_in(t.noun, "lounges")]
     tables = [t for t in draft.things if habits.is_in(t.noun, "meal_tables")]
+    seats = [t for t in seats if not t.noun.endswith(_BENCH)]
     uncounted = all(t.count is None and _is_chair(t) and not draft.bonds_of(t) for t in seats)
     if draft.people and room_type(draft.room).seats_at and len(tables) == 1 and uncounted:
         table = tables[0]

@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
+from thinkblox.reading.english.abilities import with_abilities
+from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
@@ -16,19 +18,26 @@ from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
+from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
+from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.reasons import with_reasons
+from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
+from thinkblox.reading.english.switched import with_switched
+from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -55,10 +64,17 @@ _NEIGHBOUR = re.compile(
 )
 """What stands next to what was spoken of."""
 _IMAGINED = re.compile(
-    r"(?:^|(?<=[.!?\n] ))(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
+    r"(?:^|(?<=[.!?\n] )|(?<=\bso )|(?<=\bnow )|(?<=\bjust )|(?<=\bplease )|(?<=, ))"
+    r"(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
+_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?= (?:against|to)\b)", re.IGNORECASE)
+"""How a thing stands, told of a part of it."""
+_FROM = re.compile(
+    r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
+)
+"""What others say for "in front of"."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -77,16 +93,26 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
+    text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
+    text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ACROSS.sub("other    ", text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = plainly(with_parts(_spelt_out(lexicon.tokens(text))))
+    tokens = plainly(with_abilities(with_owners(with_parts(_spelt_out(lexicon.tokens(text))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_tasks,
+        with_rough,
+        with_all_but,
+        with_holders,
+        with_passing,
+        with_denied_places,
+        with_kept_clear,
+        with_switched,
         with_bare_places,
         with_top_sides,
         with_stacked_pairs,

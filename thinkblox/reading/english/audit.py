@@ -12,6 +12,7 @@ from thinkblox.reading.english.across import settle_opposite_walls
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.doubts import Doubts
 from thinkblox.reading.english.front import settle_front
+from thinkblox.reading.english.hanging import hang_up
 from thinkblox.reading.english.second import SecondOpinion
 
 _SPELLED = 0.93
@@ -32,6 +33,7 @@ class Audit(Doubts):
                 self._lose(chunk.start, chunk.end)
         self._allow_asked()
         settle_opposite_walls(self.draft)
+        hang_up(self.draft, self.cut, self.meant)
         self._doubts()
         self._ask_again()
         settle_front(self.draft)

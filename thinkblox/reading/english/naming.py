@@ -12,6 +12,7 @@ from thinkblox.reading.english.quantities import SHELVES, is_shelved
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
 from thinkblox.reading.english.state import LOOKAHEAD
+from thinkblox.reading.english.tasks import is_tasked
 
 _DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand that people take at a table."""
@@ -97,16 +98,35 @@ class Naming(Several):
             noun.kind, noun.value, noun.named = "thing", "seat", False
 
     def _told_later(self, noun: Noun) -> list[Mention]:
-        """The nightstands of "a lamp on every nightstand, two nightstands": how many they are is told only now."""
-        if noun.count is None or noun.count < 2 or noun.attributes or noun.definite or noun.unshown or noun.owner:
-            return []
-        for thing in self.draft.things[-LOOKAHEAD:]:
+        """The nightstands of "a lamp on every nightstand, two nightstands": how many they are is told only now.
+
+        So are the tables of "no lamp on the tables. Three tables", and what a task named first.
+        """
+        plain = not (noun.definite or noun.owner or noun.groups or noun.rows)
+        for thing in self.draft.things[-LOOKAHEAD:] if plain else ():
             named = self.named_by.get(thing)
-            if named is not None and named.each and thing.noun == noun.value and thing not in self.told_later:
-                self.told_later.add(thing)
-                thing.count, thing.least, thing.most, thing.plural = noun.count, noun.least, noun.most, True
-                return [thing]
+            if named is None or thing in self.told_later or not self._is_anew(noun, thing, named):
+                continue
+            self.told_later.add(thing)
+            thing.count, thing.least, thing.most = noun.count or thing.count, noun.least, noun.most
+            thing.plural = noun.plural
+            if named.det == "the":
+                thing.noun, thing.text = noun.value, noun.text
+                thing.attributes, thing.unshown, thing.states = [*noun.attributes], [*noun.unshown], [*noun.states]
+            return [thing]
         return []
+
+    def _is_anew(self, noun: Noun, thing: Mention, named: Noun) -> bool:
+        """Whether what was pointed at before anybody told of it is told of now."""
+        several = noun.count is not None and noun.count > 1
+        if thing.noun == noun.value and named.each:
+            return several and not (noun.attributes or noun.unshown)
+        alike = thing.noun == noun.value or last_word(thing) == noun.word
+        if not alike or named.det != "the" or thing.count not in (None, 1) or named.unshown:
+            return False
+        if is_tasked(self.cut, named):
+            return named.plural == noun.plural and {*named.attributes} <= {*noun.attributes}
+        return several and not named.attributes and named.plural and named.count is None and thing.count is None
 
     def _all_named(self, noun: Noun) -> list[Mention]:
         """What "each chair", "both lamps", "all four chairs" are."""

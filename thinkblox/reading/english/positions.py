@@ -262,7 +262,11 @@ class Positions(Subjects):
         side = (
             part is not None and part.kind == "part" and part.value in ("left", "right") and where.word in ("on", "at")
         )
-        node = self._subject_of(where) if side and part is not None and part.det == "the" and not part.owner else None
+        node = (
+            self._subject_of(where)
+            if side and part is not None and part.det in ("the", "my") and not part.owner
+            else None
+        )
         thing = node.thing if node is not None and len(node.things) == 1 else None
         if thing is None or part is None or thing.many or where.negated or self._is_fronted():
             return False

@@ -37,6 +37,7 @@ _OTHER_SIZE = {"large": "small", "small": "large"}
 """What a room is that is not so."""
 _WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat", "living_room", "dining_room")
 """Rooms to live in, where a kitchen is a part of what stands there."""
+_OPPOSITE = "opposite"
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
 
@@ -389,6 +390,8 @@ class Rooms(Memberships):
         if not words or noun.value.split()[0] in ("window", "door", "centre"):
             return ""
         last = next((n for n, word in enumerate(words) if singular(word) in _PARTS), 0)
+        if singular(words[last]) == "corner" and _OPPOSITE in words[:last]:
+            return _OPPOSITE
         known = grammar().lists["place_words"]
         return next((word for word in words[:last] if not self._is_plain_word(word, known)), "")
 

@@ -2,9 +2,9 @@
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Listed
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
@@ -17,6 +17,7 @@ _BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposi
 """Prepositions after which "them" are several together."""
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
 """What things are beside rather than on."""
+_HELD = ("with", "hold", "carry", "inside")
 _SMALL = 0.6
 """So large at most is what lies with other things on something [m]."""
 _PAIR = 2
@@ -32,7 +33,7 @@ class Ties(Relating):
         nodes = [node for node in reversed(self.frontier) if node.frame is not None]
         for node in nodes:
             frame = node.frame
-            if frame is None or frame.head is None:
+            if frame is None or frame.head is None or self._is_too_large(thing, frame, nodes):
                 continue
             if self._is_at_other_side(frame) or self._goes_on(frame, thing, noun):
                 frame.closing |= self.separator in ("and", "comma_and")
@@ -47,6 +48,17 @@ class Ties(Relating):
         if self.separator in ("and", "comma_and"):
             self.clause.closing = True
         return self.clause
+
+    def _is_too_large(self, thing: Mention, frame: Listed, nodes: list[Node]) -> bool:
+        """Whether it goes into no small holder that is one of several things: a laptop, listed after a mug of pens."""
+        head = frame.head.thing if frame.head is not None else None
+        if head is None or not is_small(head) or frame.kind not in _HELD or self._is_told_by_pronoun():
+            return False
+        if self.habits.is_in(thing.noun, "covers") or not any(n.frame is not frame and _has_head(n) for n in nodes):
+            return False
+        inner, outer = sorted(kind_of(thing.noun).size), sorted(kind_of(head.noun).size)
+        narrow = last_word(head) in grammar().lists["holders"]
+        return inner[0] > outer[0 if narrow else 1] or inner[1] > outer[2]
 
     def _is_group_told(self) -> bool:
         """Whether what each of a group is was told to its end: "each a desk with a lamp and a chair, a sink"."""
@@ -88,7 +100,15 @@ class Ties(Relating):
         if inverse and self.separator == "comma" and self._is_told_next():
             return False
         head = frame.head.thing if frame.head is not None else None
-        return frame.times > 1 if head is None else self._fits_in(frame, head, thing)
+        return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_one_more_of_list(self, frame: Listed, head: Mention, thing: Mention) -> bool:
+        return self._is_listed_for_each(frame, thing) or self._fits_in(frame, head, thing)
+
+    def _is_listed_for_each(self, frame: Listed, thing: Mention) -> bool:
+        """Whether a list of what each has goes on with it: "each has six chairs, a power strip and a lamp"."""
+        listed = frame.each and not frame.closing and self.verb == "have" and self.separator == "comma"
+        return listed and not self.habits.is_in(thing.noun, *FURNITURE) and self._is_listed_on()
 
     def _is_as_many(self, frame: Listed, thing: Mention) -> bool:
         """Whether there is one for each of several in all: "four desks, each with a laptop, and four chairs"."""
@@ -130,12 +150,16 @@ class Ties(Relating):
     def _is_listed_on(self) -> bool:
         """Whether a list goes on to its "and" and its end: "each has a locker on its left, | a table and a chair"."""
         listed = self.chunks[self.at :]
-        ends = next((at for at, c in enumerate(listed) if self._is_link(c, "mark", "stop", "semicolon")), len(listed))
+        ends = next((at for at, c in enumerate(listed) if self._stops(c)), len(listed))
         plain = all(
             isinstance(c, Noun) or self._is_link(c, "mark", "comma") or self._is_link(c, "joins", "and")
             for c in listed[:ends]
         )
         return plain and (self.separator == "and" or any(self._is_link(c, "joins", "and") for c in listed[:ends]))
+
+    def _stops(self, chunk: Chunk) -> bool:
+        """Whether a sentence ends, or what is not understood comes."""
+        return isinstance(chunk, Stray) or self._is_link(chunk, "mark", "stop", "semicolon")
 
     def _told_at_end(self) -> Connector | None:
         """How a list ends that says where each is to its head: "each with a desk, a chair and a bin under it"."""
@@ -402,7 +426,17 @@ class Ties(Relating):
         ends = self.separator == "and" and (self._is_end(self.peek()) or self._is_beside_place())
         low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
         ends |= self._has_shelves(head) and kind_of(thing.noun).plain and self.separator in ("comma", "and")
+        ends |= kind_of(thing.noun).plain and self._is_before_small()
         return ends and low and self._carries_before(thing, head, frame)
+
+    def _is_before_small(self) -> bool:
+        """Whether a list goes on with what lies on things: "a vise, a truing stand, two screwdrivers and a tin"."""
+        joined = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
+        after = self.peek(1)
+        small = isinstance(after, Noun) and after.kind == "thing" and after.named and not after.definite
+        ends = self.peek(2)
+        listed = ends is None or self._is_link(ends, "mark") or self._is_link(ends, "joins", "and")
+        return joined and small and listed and isinstance(after, Noun) and self._belongs(after.value, "small")
 
     def _is_beside_place(self) -> bool:
         """Whether what comes says where furniture stands: "a cabinet with gloves and masks along the wall"."""
@@ -427,6 +461,10 @@ class Ties(Relating):
     def _contains(self, head: Mention) -> bool:
         """Whether what a thing holds lies within it."""
         return self._has_shelves(head) or last_word(head) in grammar().lists["containers"]
+
+
+def _has_head(node: Node) -> bool:
+    return node.frame is not None and node.frame.head is not None
 
 
 def _is_whole_place(place: Noun) -> bool:

@@ -1,0 +1,45 @@
+"""How many are left out of several: "next to all but two of the beds", "at all of them except one"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.said import is_link
+
+
+def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which all but some of several are every one of them but so many."""
+    made = list(chunks)
+    for at in range(len(made) - 2):
+        every, but, left = made[at : at + 3]
+        if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):
+            continue
+        several = left if left.kind == "thing" and left.of_known else _several(made, at) if _is_number(left) else None
+        if several is None or not (left.count or 0):
+            continue
+        words = f"every {several.word}"
+        made[at] = replace(
+            several, start=every.start, end=every.end, text=words, det="each", count=None, plural=False, of_known=False
+        )
+        made[at + 2] = Noun("number", "", left.start, left.end, left.text, count=left.count)
+    return made
+
+
+def _is_all(noun: Noun) -> bool:
+    return noun.kind == "pronoun" and noun.det == "all"
+
+
+def _excepts(chunk: Chunk) -> bool:
+    return is_link(chunk, "joins", "but") or is_link(chunk, "prepositions", "except")
+
+
+def _is_number(noun: Noun) -> bool:
+    return noun.kind in ("number", "pronoun") and noun.count is not None
+
+
+def _several(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """What "all of them" are after a preposition: what was named last of which there are several."""
+    if not at or not is_link(chunks[at - 1], "prepositions"):
+        return None
+    named = (c for c in chunks[max(at - 2, 0) :: -1][1:] if isinstance(c, Noun) and c.kind == "thing")
+    return next((noun for noun in named if (noun.count or 0) > 1), None)

@@ -1,0 +1,66 @@
+"""What is to have nothing on or in it: "leave the shelf empty", "the desk is clear"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.said import is_link
+
+_EMPTY = "empty"
+_LEAVING = ("leave", "keep", "leaving", "keeping")
+
+_REST = frozenset(("rest", "remaining"))
+
+
+def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which a thing that is left or is clear is said to be empty, and of its parts that is not understood."""
+    made = list(chunks)
+    at = 0
+    while at < len(made):
+        if (length := _left(made, at)) and isinstance(noun := made[at + 1], Noun):
+            made[at : at + length] = _said(noun, made[at], made[at + 2])
+        elif _is_told(made, at) and isinstance(noun := made[at], Noun):
+            made[at : at + 3] = _said(noun, noun, made[at + 2])
+        at += 1
+    return made
+
+
+def _left(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks "leave the shelf empty" has; 0 where it does not come."""
+    link = chunks[at]
+    leaves = isinstance(link, Connector) and link.sort == "verbs" and link.text.lower() in _LEAVING
+    if not leaves or not _is_clear(chunks, at + 2) or not _is_whole(chunks[at + 1]):
+        return 0
+    return 3
+
+
+def _is_told(chunks: Sequence[Chunk], at: int) -> bool:
+    if not _is_clear(chunks, at + 2) or not is_link(chunks[at + 1], "verbs", "be") or not _is_whole(chunks[at]):
+        return False
+    return not at or not is_link(chunks[at - 1], "prepositions", "joins")
+
+
+def _is_clear(chunks: Sequence[Chunk], at: int) -> bool:
+    said = chunks[at] if at < len(chunks) else None
+    return isinstance(said, Adjective) and said.text.lower() in grammar().lists["uncluttered"]
+
+
+def _is_whole(chunk: Chunk) -> bool:
+    if not isinstance(chunk, Noun):
+        return False
+    rest = not _REST.isdisjoint(chunk.text.lower().split())
+    return chunk.definite and not rest and (chunk.kind in ("thing", "number") or _is_shelf(chunk))
+
+
+def _is_shelf(noun: Noun) -> bool:
+    return noun.kind == "part" and noun.value == "in_shelf"
+
+
+def _said(noun: Noun, first: Chunk, last: Chunk) -> list[Chunk]:
+    if _is_shelf(noun):
+        return [Stray(first.start, last.end, f"{noun.text} {getattr(last, 'text', '')}".strip())]
+    said = last
+    if isinstance(last, Adjective) and last.text.lower() != "open":
+        said = replace(last, attributes=[], states=[_EMPTY])
+    return [noun, Connector("verbs", "be", noun.end, noun.end, "is"), said]

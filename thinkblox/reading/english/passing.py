@@ -1,0 +1,146 @@
+"""What is told in passing of things: "its door is open", "tucked in", "from glass", "who owns three guitars"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.assets.repaint import MATERIALS
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.said import is_link
+from thinkblox.reading.tokens import Token
+
+_OWNING = {"owns": "has", "own": "have", "collects": "has", "collect": "have", "possesses": "has"}
+_OWNERS = ("who", "that", "i", "we", "they", "you", "she", "he")
+_TUCKED = "pushed in"
+_MOVED = ("door", "lid", "drawer", "flap", "hatch")
+"""Parts that are open or closed as what they are of is said to be."""
+_USING = ("use", "using", "choose", "take", "pick")
+_BLOCKING = ("block", "obstruct", "blocking", "obstructing")
+_FOR = 3
+"""How many chunks after "use" it is said what for."""
+_LEANING = ("leans", "lean", "leaning")
+
+
+def with_owners(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens, with "has" for what people own or collect."""
+    return [
+        replace(token, text=_OWNING[token.text]) if _is_owning(tokens, at) else token for at, token in enumerate(tokens)
+    ]
+
+
+def _is_owning(tokens: Sequence[Token], at: int) -> bool:
+    return tokens[at].text in _OWNING and at > 0 and tokens[at - 1].text in _OWNERS
+
+
+def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which it is told of the things themselves, or said not to be understood."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        chunk = chunks[at]
+        if _is_own_door(chunks, at):
+            made.append(Noun("pronoun", "it", chunk.start, chunk.end, "it"))
+        elif _is_tucked(chunks, at):
+            made.append(Adjective(chunk.start, chunks[at + 1].end, _TUCKED, states=[_TUCKED]))
+            at += 1
+        elif _is_left_out(chunks, at) or _is_missing(chunks, at):
+            length = 2 if _is_left_out(chunks, at) else 3
+            words = " ".join(getattr(c, "text", "") for c in chunks[at : at + length])
+            made.append(Stray(chunk.start, chunks[at + length - 1].end, words))
+            at += length - 1
+        elif isinstance(chunk, Noun) and (material := _material(chunks, at)):
+            made.append(replace(chunk, end=chunks[at + 2].end, attributes=[*chunk.attributes, material]))
+            at += 2
+        elif _is_made_of(chunks, at) and isinstance(looks := chunks[at + _FOR - 2], Adjective):
+            thing = chunks[at + _FOR]
+            if isinstance(thing, Noun):
+                words = " ".join((looks.text, thing.text.split()[-1]))
+                told = [*thing.attributes, *looks.attributes]
+                made.append(replace(thing, start=looks.start, attributes=told, text=f"the {words}"))
+            at += _FOR
+        elif _is_in_way(chunks, at):
+            made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
+            made.append(Adjective(chunks[at + 1].start, chunks[at + 1].end, "free", states=["free"]))
+            at += 2
+        elif isinstance(chunk, Connector) and _is_leant_on(chunks, at):
+            made.append(replace(chunk, value="next_to"))
+        else:
+            made.append(chunk)
+        at += 1
+    return made
+
+
+def _is_own_door(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "its door is open" comes after a thing that has doors of its own."""
+    door, state = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    own = isinstance(door, Noun) and door.kind in ("place", "thing") and door.det == "my" and door.word in _MOVED
+    told = own and is_link(chunks[at + 1], "verbs", "be") if state is not None else False
+    if not told or not isinstance(state, Adjective) or not state.states:
+        return False
+    return at > 0 and (is_link(chunks[at - 1], "joins") or is_link(chunks[at - 1], "mark"))
+
+
+def _is_tucked(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "tucked in" comes, and nothing that it would be in."""
+    link, after = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    if not isinstance(link, Connector) or link.text.lower() != "tucked" or at + 1 >= len(chunks):
+        return False
+    ends = after is None or is_link(after, "mark") or is_link(after, "joins")
+    return ends and is_link(chunks[at + 1], "prepositions", "in")
+
+
+def _is_left_out(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "except the top one" comes after how all are, of which the one left out is something else."""
+    said, one = chunks[at - 1] if at else None, chunks[at + 1] if at + 1 < len(chunks) else None
+    if not isinstance(said, Adjective) or not said.states or not is_link(chunks[at], "prepositions", "except"):
+        return False
+    return isinstance(one, Noun) and one.kind == "number" and bool(one.unshown)
+
+
+def _is_missing(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "the two missing ones" comes."""
+    some, ones = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    if not isinstance(some, Noun) or not isinstance(ones, Noun) or some.kind not in ("number", "pronoun"):
+        return False
+    return is_link(chunks[at + 1], "negations", "gone") and ones.word == "one" and not ones.named
+
+
+def _material(chunks: Sequence[Chunk], at: int) -> str:
+    """The material of "a table from glass"; empty where none follows."""
+    thing, matter = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    if not isinstance(thing, Noun) or thing.kind != "thing" or not isinstance(matter, Noun):
+        return ""
+    bare = not (matter.det or matter.count or matter.plural or matter.attributes)
+    from_it = is_link(chunks[at + 1], "prepositions", "from") and bare
+    return matter.value if from_it and matter.value in MATERIALS and matter.word == matter.value else ""
+
+
+def _is_made_of(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "use oak for the table" comes, or "and linen for the curtains" after it."""
+    if at + _FOR >= len(chunks):
+        return False
+    use, looks, link, thing = chunks[at : at + _FOR + 1]
+    first = isinstance(use, Connector) and use.sort == "verbs" and use.text.lower() in _USING
+    again = is_link(use, "joins", "and") and any(
+        isinstance(c, Connector) and c.text.lower() in _USING for c in chunks[max(0, at - _FOR - 1) : at]
+    )
+    known = isinstance(thing, Noun) and thing.kind == "thing" and thing.det in ("the", "my", "all")
+    told = isinstance(looks, Adjective) and bool(looks.attributes) and is_link(link, "prepositions", "for")
+    return (first or again) and known and told
+
+
+def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "must not block the door" comes."""
+    block, place = (*chunks[at + 1 : at + 3], None, None)[:2]
+    denied = is_link(chunks[at], "negations", "not", "exclude")
+    blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
+    return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
+
+
+def _is_leant_on(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether something leans against a thing, beside which it then is."""
+    leans = chunks[at - 1] if at else None
+    leant = isinstance(leans, Connector) and leans.text.lower() in _LEANING
+    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    return (
+        leant and is_link(chunks[at], "prepositions", "against") and isinstance(after, Noun) and after.kind == "thing"
+    )
