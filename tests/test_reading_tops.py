@@ -84,6 +84,7 @@ def test_a_washer_and_a_dryer_are_stacked(prompt: str) -> None:
         ("A classroom with desks in four columns and five rows.", "20 school_desk"),
         ("A hall with chairs arranged in five rows by eight columns.", "40 chair"),
         ("A meeting room with chairs in 3 rows of 5.", "15 chair"),
+        ("A hall where twelve chairs form three rows.", "12 chair"),
         ("A temple with four columns and two rows of three benches.", "6 bench, 4 column"),
     ],
 )
@@ -101,6 +102,12 @@ def test_so_many_in_each_row_are_counted_and_where_is_asked() -> None:
 
 def test_a_first_word_that_nobody_knows_is_said() -> None:
     assert read_brief("A glorp with a clock on the wall.").unknown == ("A glorp (no such room or thing is known)",)
+
+
+def test_what_is_outside_of_the_room_is_said() -> None:
+    brief = read_brief("A garage workshop with a workbench; the car stays outside.")
+    assert not any("outside" in relation for relation in related(brief))
+    assert brief.unknown == ("outside",)
 
 
 def test_things_lie_where_on_the_top_they_were_asked_for() -> None:

@@ -47,6 +47,8 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 """Abbreviations whose points end no sentence."""
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
+_FORMED = re.compile(r"\b(?:form|forms|forming|make up|making up)(?= \w+ rows\b)", re.IGNORECASE)
+"""What several do that stand in so many rows."""
 _ACROSS = re.compile(r"\bopposite (?=(?:side|end)\b(?! of (?!the room)))", re.IGNORECASE)
 """Of two sides the other one."""
 _ONE = re.compile(
@@ -96,6 +98,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
+    text = _FORMED.sub(lambda match: "in".ljust(len(match[0])), text)
     text = _ACROSS.sub("other    ", text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)

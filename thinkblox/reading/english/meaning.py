@@ -44,6 +44,8 @@ _CORNERS = ("corner", "back left", "back right", "front left", "front right")
 """Corners of a top."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
+_HOLLOW = frozenset("tent booth cage playpen pen tub bathtub shower cubicle ring playhouse house cabin sauna".split())
+"""What one can be inside of, so that "outside" is outside of it rather than of the room."""
 _NUMBERS = {"three": 3, "four": 4}
 """How many "all three" are."""
 _APART = ("on", "inside")
@@ -164,7 +166,9 @@ class Meanings:
             two = two or ((last,) if last is not None and self.referents.total(last) == _SIDES else ())
             return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
-        return Meaning(kind, (found,), told=True) if found is not None else None
+        if found is None or (kind == "outside" and not _HOLLOW & {*found.noun.split("_")}):
+            return None
+        return Meaning(kind, (found,), told=True)
 
     def _single(
         self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False
