@@ -26,6 +26,7 @@ from thinkblox.editing.joining import is_that, joined
 from thinkblox.editing.making import hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
+from thinkblox.editing.off_floor import on_floor
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
@@ -577,7 +578,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
         _hold(work, order, before, said[0])
         undone = work.scene is before and len(work.failed) > said[1]
         gone = [p for p in before.placements if p.id not in work.scene]
-        finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
+        finder.vacated = _largest(gone) if gone else _left(before, work.scene, finder.recent) or finder.vacated
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
@@ -603,6 +604,11 @@ def _check_back(order: Order, finder: Finder) -> None:
     bare = order.doing in ("move", "put") and order.direction == "back" and not (order.lengths or order.slight)
     if again and bare and not finder.recent and finder.past.about:
         raise InputError(f"'{order.text}': the last edit is taken back with --undo; or say how far back, or to what")
+
+
+def _largest(gone: Sequence[Placement]) -> Placement:
+    """What has left the most room of what is gone, the table of "it and its chairs"; the last of several alike."""
+    return max(enumerate(gone), key=lambda each: (round(each[1].size[0] * each[1].size[1], 1), each[0]))[1]
 
 
 def _left(before: Scene, after: Scene, ids: Sequence[str]) -> Placement | None:
@@ -692,6 +698,7 @@ def _finished(
     before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
     old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
     work.notes += left_behind(work)
+    work.notes += on_floor(work, [c.id for c in changes])
     if old_faults:
         work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
     report = structs.replace(

@@ -571,8 +571,15 @@ class Spot(At):
         """The distance between their middles, which may differ by half of what one is longer than the other."""
         old = self.old
         more = abs(max(after[id].size[:2]) - max(old.size[:2])) / 2 if old is not None else 0.0
-        away = math.dist(after[id].position[:2], self.point)
+        away = max(math.dist(after[id].position[:2], self.point), self.higher(after[id]))
         return away <= self.reach + more, f"{id} {away:.2f} m from where {old.id if old is not None else 'it'} was"
+
+    def higher(self, placement: Placement) -> float:
+        """How much higher or lower than the other its middle hangs, where both hang on a wall [m]; else 0."""
+        old = self.old
+        if old is None or not (old.support.endswith("_wall") and placement.support.endswith("_wall")):
+            return 0.0
+        return abs(placement.position[2] + placement.size[2] / 2 - old.position[2] - old.size[2] / 2)
 
 
 @dataclass(frozen=True)

@@ -398,6 +398,8 @@ def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> Rel
     here = there[0] if finder.about not in finder.scene and len(there) == 1 else _here(finder, place_text(where))
     ahead, left = thing.to_local(here.position[:2])
     ended = where.noun is not None and where.noun.value == "end" and thing.size[0] != thing.size[1]
+    if finder.scene.asset_of(thing).mount == "wall":
+        return "right_of" if left > 0 else "left_of"
     if thing.size[0] > thing.size[1] if ended else abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
         return "behind" if ahead > 0 else "in_front_of"
     return "right_of" if left > 0 else "left_of"

@@ -1,0 +1,84 @@
+"""Where things come: on a top rather than on the floor, right where another hung, at the place that a table left."""
+
+import math
+
+import pytest
+
+from tests.edited_rooms import bedroom, built, dining, room, same_but
+from tests.test_editing_guard import done
+from thinkblox import edit_room
+from thinkblox.scene.relations import measure
+
+
+@pytest.mark.parametrize("place", ["next to the window", "by the window", "at the window"])
+def test_something_small_goes_onto_what_stands_by_a_window(place: str) -> None:
+    before = built(
+        room(),
+        ("desk_1", 4.4, 4.6, 270.0, "floor"),
+        ("sideboard_1", 0.3, 2.0, 0.0, "floor"),
+        ("printer_1", 0.3, 2.0, 0.0, "sideboard_1"),
+    )
+    after = done(before, f"Put the printer {place}").scene
+    assert after["printer_1"].support == "desk_1"
+    assert same_but(before, after, "printer_1")
+
+
+def test_something_small_that_comes_to_the_floor_is_told() -> None:
+    before = built(room(), ("sideboard_1", 0.3, 2.0, 0.0, "floor"), ("printer_1", 0.3, 2.0, 0.0, "sideboard_1"))
+    low = edit_room(before, "Put the printer next to the door")
+    assert low.scene["printer_1"].support == "floor"
+    assert any("printer_1 stands on the floor" in note for note in low.notes)
+    said = edit_room(before, "Put the printer on the floor")
+    assert not any("stands on the floor" in note for note in said.notes)
+
+
+def test_nothing_goes_up_on_a_wardrobe_unasked() -> None:
+    before = bedroom()
+    after = edit_room(before, "Put the table lamp on the left by the door").scene
+    assert all(after[id].support != "wardrobe_1" for id in ("table_lamp_1", "table_lamp_2"))
+
+
+def test_what_hangs_takes_the_very_place_of_what_hung_there() -> None:
+    before = built(room(), ("picture_1", 5.97, 2.2, 180.0, "wall"), ("clock_1", 5.97, 2.5, 180.0, "wall"))
+    high = done(before.without("picture_1"), "Move the clock up by 40 cm").scene
+    old = high["clock_1"]
+    again = high.with_placement(before["picture_1"], before.asset_of(before["picture_1"]))
+    after = done(again, "Take the clock away and put the picture where the clock was").scene["picture_1"]
+    assert after.position[1] == pytest.approx(old.position[1], abs=0.02)
+    middles = [p.position[2] + p.size[2] / 2 for p in (old, after)]
+    assert middles[0] == pytest.approx(middles[1], abs=0.02)
+
+
+@pytest.mark.parametrize("verb", ["Take {} away", "Remove {}", "Get rid of {}"])
+def test_there_is_where_the_table_stood_and_not_one_of_its_chairs(verb: str) -> None:
+    before = dining(2)
+    table = before["dining_table_1"]
+    after = done(before, f"{verb.format('the dining table and its chairs')} and put a rug there").scene
+    (rug,) = (p for p in after.placements if p.category == "rug")
+    assert math.dist(rug.position[:2], table.position[:2]) < 0.1
+
+
+BEANBAGS = (("bean_bag_1", 1.0, 1.6, 0.0, "floor"), ("bean_bag_2", 5.0, 1.6, 180.0, "floor"))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "The desk should be under the window and the beanbags next to each other",
+        "Put the desk under the window and the beanbags side by side",
+        "The beanbags should be next to each other and the desk under the window",
+        "I want the desk under the window and the two beanbags next to each other",
+    ],
+)
+def test_only_what_is_to_be_side_by_side_is_brought_together(said: str) -> None:
+    before = built(room(), ("desk_1", 5.5, 3.4, 180.0, "floor"), *BEANBAGS)
+    after = done(before, said).scene
+    assert measure(after, "under", "desk_1", ("window_1",)).holds
+    assert measure(after, "next_to", "bean_bag_1", ("bean_bag_2",)).holds
+    assert not measure(after, "next_to", "bean_bag_1", ("desk_1",)).holds
+
+
+def test_side_by_side_at_a_part_of_the_room_is_no_fault() -> None:
+    before = built(room(), *BEANBAGS)
+    edit_room(before, "Put the beanbags side by side by the window")
+    edit_room(before, "Put the beanbags side by side by the door")
