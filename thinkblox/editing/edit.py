@@ -23,7 +23,7 @@ from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
 from thinkblox.editing.joining import is_that, joined
-from thinkblox.editing.making import hang, hangs_down, make
+from thinkblox.editing.making import as_larger_one, hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.off_floor import on_floor
@@ -435,6 +435,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
         return
     if hangs_down(work, finder, order):
         hang(work, finder, order)
+        return
+    if (larger := as_larger_one(finder, order)) is not None:
+        make(work, finder, larger)
         return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and _is_more(finder, p.noun) for p in order.things]

@@ -19,6 +19,7 @@ from thinkblox.editing.acting import (
     related,
     say,
 )
+from thinkblox.editing.beside_at_wall import beside_at_wall
 from thinkblox.editing.carrying import usual_carriers, usual_ties
 from thinkblox.editing.company import company_of, gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
@@ -578,6 +579,8 @@ def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple
 
     if (upon := lifted(work, id, goals, reach)) is not None:
         return None, upon
+    if (walled := beside_at_wall(work, id, goals)) is not None:
+        return None, walled
     before = work.scene[id]
     direct: Iterator[Pose] = chain(
         at_spot(work, id, goals),
@@ -812,6 +815,7 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         there = _also(work, finder, order, id) if also and not _cornered(also) else looks
+        there = [Related("facing", goal.anchors) if isinstance(goal, Across) else goal for goal in there]
         close = Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")
         pushed = beside and order.text.lower().split(" ", 1)[0] in _PUSHED
         saved, said = work.saved(), len(work.failed)
