@@ -82,3 +82,56 @@ def test_side_by_side_at_a_part_of_the_room_is_no_fault() -> None:
     before = built(room(), *BEANBAGS)
     edit_room(before, "Put the beanbags side by side by the window")
     edit_room(before, "Put the beanbags side by side by the door")
+
+
+def test_what_stands_about_a_low_table_stays_when_that_becomes_another() -> None:
+    before = built(
+        room(),
+        ("sofa_1", 3.0, 0.6, 90.0, "floor"),
+        ("coffee_table_1", 3.0, 1.6, 90.0, "floor"),
+        ("armchair_1", 1.6, 2.2, 330.0, "floor"),
+    )
+    after = done(before, "Replace the coffee table with a round one").scene
+    assert same_but(before, after, "coffee_table_1")
+
+
+def test_in_its_place_is_right_where_the_other_hung() -> None:
+    before = built(room(), ("picture_1", 5.984, 2.5, 180.0, "wall"))
+    before = done(before, "Add a clock on the east wall").scene
+    old = before["picture_1"]
+    after = done(before, "Take the picture down and hang the clock in its place").scene["clock_1"]
+    assert after.position[1] == pytest.approx(old.position[1], abs=0.02)
+    assert after.position[2] + after.size[2] / 2 == pytest.approx(old.position[2] + old.size[2] / 2, abs=0.02)
+
+
+def test_turned_so_that_it_is_at_a_wall_is_brought_there() -> None:
+    before = built(room(), ("sideboard_1", 3.0, 2.5, 270.0, "floor"))
+    after = done(before, "Turn the sideboard by 90 degrees so that it stands against the east wall").scene
+    assert measure(after, "against_wall", "sideboard_1", ("east_wall",)).holds
+
+
+def test_seats_of_a_new_table_stand_at_all_its_sides() -> None:
+    after = done(built(room()), "Add a round table with four chairs").scene
+    (table,) = (p for p in after.placements if "table" in p.category)
+    ways = sorted(round(p.yaw - table.yaw) % 360 for p in after.placements if p.category == "chair")
+    assert len(ways) == len(set(ways)) == 4
+    again = done(after, "Add another table with chairs").scene
+    assert sum(p.category == "chair" for p in again.placements) == 8
+
+
+def test_one_of_two_is_told_by_what_rests_on_it() -> None:
+    before = bedroom().without("table_lamp_1")
+    before = done(before, "Add a mug on the nightstand with the lamp").scene
+    (mug,) = (p for p in before.placements if p.category == "cup")
+    assert mug.support == before["table_lamp_2"].support
+
+
+def test_the_other_side_of_a_door_is_across_from_where_it_stands() -> None:
+    door = room(8.0, 5.0)
+    after = done(built(door, ("plant_1", 4.6, 0.5, 0.0, "floor")), "Put the plant next to the window").scene
+    assert measure(after, "next_to", "plant_1", ("window_1",)).holds
+    other = done(after, "Put the plant on the other side of the window").scene
+    assert all(measure(scene, "next_to", "plant_1", ("window_1",)).holds for scene in (after, other))
+    middle = 0.5 * (after["plant_1"].position[0] + other["plant_1"].position[0])
+    window = next(o for o in door.openings if o.id == "window_1")
+    assert abs(middle - door.walls[2].point(window.offset + window.width / 2, 0.0)[0]) < 0.5

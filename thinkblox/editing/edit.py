@@ -36,6 +36,7 @@ from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.telling import named
+from thinkblox.editing.told_by_load import tell_by_load
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
 from thinkblox.editing.wheres import Bound, slots_of
@@ -570,6 +571,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
             continue
         try:
             _on_either(order, finder)
+            tell_by_load(order, finder)
             _follow(work, finder, order)
             _check_back(order, finder)
             _do(work, finder, order)

@@ -67,7 +67,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.stepping import SLIGHT, SLIGHT_STEPS, STEPS, by_step, way_of
-from thinkblox.editing.taking_place import THERE, at_spot, is_there
+from thinkblox.editing.taking_place import THERE, at_spot, is_there, there_where
 from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import Bound, bound, slots_for, slots_of, spot_of, told_by
@@ -420,7 +420,7 @@ def _goals(
 ) -> list[Goal]:
     goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
     if order.there:
-        goals.append(At(finder.left_place(order.text).position[:2], THERE))
+        goals.append(there_where(work, id, finder.left_place(order.text)))
     goals += [Elsewhere(LEFT)] if order.leaves else []
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):

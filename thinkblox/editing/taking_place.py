@@ -35,10 +35,16 @@ def at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
         if asset.mount == "wall" and old.support.endswith("_wall"):
             yield _hung(work.scene, asset, old)
         yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw
-        if at_wall(work.start, old.id) and asset.mount == "floor":
+        if asset.mount == "floor" and at_wall(work.start, old.id):
             yield from along_walls(_without(work, id), asset, old.position[:2], THERE)
         start = structs.replace(work.scene[id], position=old.position, yaw=old.yaw)
         yield from whole_floor(_without(work, id), asset, start)
+
+
+def there_where(work: Work, id: str, old: Placement) -> At:
+    """At the place of what is gone; right where that hung, for what hangs too."""
+    hangs = work.asset_of(id).mount == "wall" and old.support.endswith("_wall")
+    return Spot(old.position[:2], THERE, old=old) if hangs else At(old.position[:2], THERE)
 
 
 def is_there(work: Work, goal: At, id: str) -> bool:
