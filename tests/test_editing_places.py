@@ -135,3 +135,14 @@ def test_the_other_side_of_a_door_is_across_from_where_it_stands() -> None:
     middle = 0.5 * (after["plant_1"].position[0] + other["plant_1"].position[0])
     window = next(o for o in door.openings if o.id == "window_1")
     assert abs(middle - door.walls[2].point(window.offset + window.width / 2, 0.0)[0]) < 0.5
+
+
+def test_a_seat_that_comes_to_look_at_a_wall_and_a_taken_corner_are_told() -> None:
+    before = built(room(), ("sofa_1", 4.4, 4.5, 270.0, "floor"))
+    blind = edit_room(before, "The sofa should look at the window")
+    assert any("sofa_1 looks at a wall" in note for note in blind.notes)
+    assert not done(before, "Move the sofa to the middle of the room").notes
+    full = built(room(), ("plant_1", 5.6, 4.6, 0.0, "floor"), ("stool_1", 3.0, 2.5, 0.0, "floor"))
+    near = edit_room(full, "Put the stool in the north-east corner")
+    told = [note for note in near.notes if "from the corner, in which plant_1 stands" in note]
+    assert bool(told) == (not near.failed)

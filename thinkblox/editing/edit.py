@@ -29,6 +29,7 @@ from thinkblox.editing.moving import move, resite
 from thinkblox.editing.off_floor import on_floor
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.rearranging import free, rearrange
+from thinkblox.editing.remarks import beside_corner, facing_wall
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
 from thinkblox.editing.spacing import space
@@ -703,7 +704,8 @@ def _finished(
     before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
     old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
     work.notes += left_behind(work)
-    work.notes += on_floor(work, [c.id for c in changes])
+    work.notes += [*on_floor(work, [c.id for c in changes]), *facing_wall(work, [c.id for c in changes])]
+    work.notes += beside_corner(work)
     if old_faults:
         work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
     report = structs.replace(
