@@ -300,3 +300,13 @@ sys.exit(main(["schema"]))
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")
+
+
+def test_an_instruction_may_stand_behind_the_options(tmp_path, capsys):
+    assert main(["generate", CHAIR, "--out", str(tmp_path / "room"), "--no-pictures"]) == 0
+    last = ["edit", str(tmp_path / "room"), "--out", str(tmp_path / "after"), "--no-pictures", "Remove the chair"]
+    assert main(last) == 0
+    assert "chair_1 taken away" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        main([*last, "and the rug"])
+    assert "unrecognized arguments" in capsys.readouterr().err

@@ -32,7 +32,7 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
     parser.add_argument("--overwrite", action="store_true", help="replace a room that is there, such as SCENE itself")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
-    parser.set_defaults(run=_edit)
+    parser.set_defaults(run=_edit, late="instruction")
 
 
 def _edit(arguments: argparse.Namespace) -> int:

@@ -30,11 +30,22 @@ def run(argv: Sequence[str] | None, stops: list[int]) -> int:
     """
     forget_placed()
     try:
-        return _ended(_parser().parse_args(argv))
+        return _ended(_read(_parser(), argv))
     except Exception as error:
         if stops:
             raise
         return _fault(error)
+
+
+def _read(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> argparse.Namespace:
+    """The arguments, where the last of a command that may be left out can also stand behind its options."""
+    arguments, left = parser.parse_known_args(argv)
+    late = getattr(arguments, "late", "")
+    if len(left) == 1 and not left[0].startswith("-") and late and getattr(arguments, late) is None:
+        setattr(arguments, late, left.pop())
+    if left:
+        parser.error(f"unrecognized arguments: {' '.join(left)}")
+    return arguments
 
 
 def _ended(arguments: argparse.Namespace) -> int:

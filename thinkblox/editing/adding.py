@@ -16,6 +16,7 @@ from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, Apart, At, Goal, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
+from thinkblox.editing.place_settings import are_seats_around, is_laid_before, is_set_beside, so_many
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.rows import rows_of
 from thinkblox.editing.spots import Pose, between, likely, spots
@@ -414,20 +415,18 @@ def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], alo
         for where in along:
             noun = where.noun
             it = Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head)
-            if noun is not None and _is_laid_before(work, noun.value, head):
+            noun = so_many(work, noun, head, several=len(heads) > 1) if noun is not None else None
+            if noun is not None and is_laid_before(work, noun.value, head):
                 one = replace(noun, count=1, plural=False) if noun.plural and not noun.count else noun
                 added += _add(work, finder, Order("add", order.text), NounPhrase(one), [Where("in_front_of", it)])
+            elif noun is not None and is_set_beside(work, noun.value, head):
+                added += _add(work, finder, Order("add", order.text), NounPhrase(noun), [Where("next_to", it)])
+            elif noun is not None and are_seats_around(work, noun, head):
+                around = [Where("around", it, text="around")]
+                added += _add(work, finder, Order("add", order.text), NounPhrase(noun), around)
             elif noun is not None:
                 added += _add(work, finder, Order("add", order.text), NounPhrase(noun), [Where("to", it, text="at")])
     return added
-
-
-def _is_laid_before(work: Work, category: str, seat: str) -> bool:
-    """Whether what comes along with a seat lies before it on its table, as a plate does, and not on the seat itself."""
-    own = work.scene[seat].category
-    small = facts_of(own).is_in("seating") and facts_of(category).is_in("small")
-    habits = [habit for habit in load_habits().of(category) if habit.kind == "on"]
-    return small and not any(own in habit.anchors for habit in habits)
 
 
 def _compared(finder: Finder, category: str, nearer: bool, other: NounPhrase) -> Goal:
@@ -501,7 +500,8 @@ def add_one(
         called=own_name(noun.called, category),
     )
     asset = asset or _asset(work, target, same=noun.degree == SAME)
-    seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
+    seats = [goal for goal in goals if isinstance(goal, Related) and goal.measured == "at"]
+    seated = any(goal.anchors[0] in work.start for goal in seats)
     direct = chain(first, _between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     if any(isinstance(goal, Laid) for goal in goals):
         direct = chain(likely(work.scene, asset, goals), direct)

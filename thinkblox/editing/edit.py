@@ -23,11 +23,13 @@ from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
 from thinkblox.editing.joining import is_that, joined
-from thinkblox.editing.making import hang, hangs_down, make
+from thinkblox.editing.making import as_larger_one, hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
+from thinkblox.editing.off_floor import on_floor
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.rearranging import free, rearrange
+from thinkblox.editing.remarks import beside_corner, facing_wall
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
 from thinkblox.editing.spacing import space
@@ -35,6 +37,7 @@ from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.telling import named
+from thinkblox.editing.told_by_load import tell_by_load
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
 from thinkblox.editing.wheres import Bound, slots_of
@@ -435,6 +438,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
     if hangs_down(work, finder, order):
         hang(work, finder, order)
         return
+    if (larger := as_larger_one(finder, order)) is not None:
+        make(work, finder, larger)
+        return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and _is_more(finder, p.noun) for p in order.things]
     new = new if fetched else [False]
@@ -566,6 +572,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
             continue
         try:
             _on_either(order, finder)
+            tell_by_load(order, finder)
             _follow(work, finder, order)
             _check_back(order, finder)
             _do(work, finder, order)
@@ -577,7 +584,7 @@ def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:
         _hold(work, order, before, said[0])
         undone = work.scene is before and len(work.failed) > said[1]
         gone = [p for p in before.placements if p.id not in work.scene]
-        finder.vacated = gone[-1] if gone else _left(before, work.scene, finder.recent) or finder.vacated
+        finder.vacated = _largest(gone) if gone else _left(before, work.scene, finder.recent) or finder.vacated
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
@@ -603,6 +610,11 @@ def _check_back(order: Order, finder: Finder) -> None:
     bare = order.doing in ("move", "put") and order.direction == "back" and not (order.lengths or order.slight)
     if again and bare and not finder.recent and finder.past.about:
         raise InputError(f"'{order.text}': the last edit is taken back with --undo; or say how far back, or to what")
+
+
+def _largest(gone: Sequence[Placement]) -> Placement:
+    """What has left the most room of what is gone, the table of "it and its chairs"; the last of several alike."""
+    return max(enumerate(gone), key=lambda each: (round(each[1].size[0] * each[1].size[1], 1), each[0]))[1]
 
 
 def _left(before: Scene, after: Scene, ids: Sequence[str]) -> Placement | None:
@@ -692,6 +704,8 @@ def _finished(
     before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
     old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
     work.notes += left_behind(work)
+    work.notes += [*on_floor(work, [c.id for c in changes]), *facing_wall(work, [c.id for c in changes])]
+    work.notes += beside_corner(work)
     if old_faults:
         work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
     report = structs.replace(

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from thinkblox.assets import facts_of
 from thinkblox.assets.palette import with_general
 from thinkblox.assets.plurals import singular
+from thinkblox.editing.by_compass import by_compass, compass_of
 from thinkblox.editing.grammar import means, rank_of, whose
 from thinkblox.editing.history import Past
 from thinkblox.editing.orders import NounPhrase
@@ -195,6 +196,8 @@ class Finder:
         rank, along = (phrase.rank, phrase.along) if phrase.rank else rank_of(noun.degree)
         if noun.det == "other":
             found = self._others(noun, found)
+        if len(found) > 1 and compass_of(noun):
+            found = by_compass(noun, found)
         if rank:
             found = _ranked(noun, found, rank, along)
         if whose(noun.text) and len(found) > 1:

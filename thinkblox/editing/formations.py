@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, product
 
 from thinkblox.editing.acting import mark_names, moved_words
 from thinkblox.editing.carrying import put_back, take
@@ -101,7 +101,8 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
     before, saved, said = work.scene, work.saved(), len(work.failed)
     why = ""
     said_so = bool(order.facing or any(w.word == "facing" for p in order.things for w in p.places))
-    ways = [gaze] if said_so or not formation.in_u else [(gaze + turn) % 360.0 for turn in (0.0, 90.0, 180.0, 270.0)]
+    turns = (0.0, 90.0, 180.0, 270.0) if formation.in_u else (0.0, 90.0) if formation.grouped else (0.0,)
+    ways = [gaze] if said_so else [(gaze + turn) % 360.0 for turn in turns]
     for cells in chain.from_iterable(_cells(before, ids, formation, way) for way in ways):
         if not _look_free(before, ids, cells):
             continue
@@ -174,16 +175,24 @@ def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
     seats = [scene[seat] for id in ids for seat in seats_at(scene, id, besides=())]
     deep, wide = size[0], size[1]
     sit = max((_reach(scene, seat, ids) for seat in seats), default=0.0)
-    x, y = scene.room.polygon.centroid.coords[0]
+    centres = [*_standing(scene, ids)] if formation.grouped else []
+    centres += [(float(x), float(y)) for x, y in scene.room.polygon.centroid.coords]
     middles = near_offsets(AROUND)
     for behind in BEHIND:
         for beside in BESIDE:
-            local = list(_u(formation, len(ids), deep, wide, beside) if formation.in_u
+            laid = [list(_u(formation, len(ids), deep, wide, beside) if formation.in_u
                          else _blocks(formation, deep, wide, sit + behind, beside) if formation.grouped
-                         else _ranks(formation, len(ids), deep, wide, sit + behind, beside))  # fmt: skip
-            for dx, dy in middles[:: max(1, len(middles) // TRIES)]:
+                         else _ranks(formation, len(ids), deep, wide, sit + behind, beside))]  # fmt: skip
+            laid += [list(_blocks(formation, deep, wide, 0.0, beside, in_line=True))] if formation.grouped else []
+            for (x, y), local, (dx, dy) in product(centres, laid, middles[:: max(1, len(middles) // TRIES)]):
                 cells = [(_placed((x + dx, y + dy), gaze, spot), (gaze + turn) % 360.0) for spot, turn in local]
                 yield _assigned(scene, ids, cells)
+
+
+def _standing(scene: Scene, ids: Sequence[str]) -> Iterator[Vec2]:
+    """The middle of where they stand now."""
+    spots = [scene[id].position for id in ids]
+    yield (sum(x for x, _, _ in spots) / len(spots), sum(y for _, y, _ in spots) / len(spots))
 
 
 def _reach(scene: Scene, seat: Placement, ids: Sequence[str]) -> float:
@@ -201,17 +210,24 @@ def _ranks(formation: Formation, count: int, deep: float, wide: float, behind: f
         yield (ahead, ((formation.each - 1) / 2 - column) * (wide + beside)), 0.0
 
 
-def _blocks(formation: Formation, deep: float, wide: float, behind: float, beside: float) -> Iterator[Cell]:
-    """Groups side by side, in each of which two lines of desks meet with their fronts away from those who sit there."""
+def _blocks(
+    formation: Formation, deep: float, wide: float, behind: float, beside: float, *, in_line: bool = False
+) -> Iterator[Cell]:
+    """Groups side by side, in each of which two lines of desks meet with their fronts away from those who sit there.
+
+    Groups that are in line stand one ahead of the other, end to end.
+    """
     columns = formation.each // 2
     long = columns * (wide + TOUCHING)
     for group in range(formation.parts):
-        middle = ((formation.parts - 1) / 2 - group) * (2 * (deep + behind) + beside)
+        step = (formation.parts - 1) / 2 - group
+        middle = 0.0 if in_line else step * (2 * (deep + behind) + beside)
+        ahead = step * (long + beside) if in_line else 0.0
         for n in range(formation.each):
             line, column = divmod(n, columns)
             along = (column + 0.5) * (wide + TOUCHING) - long / 2
             out = (deep + TOUCHING) / 2 * (1.0 if line else -1.0)
-            yield (along, middle + out), -90.0 if line else 90.0
+            yield (ahead + along, middle + out), -90.0 if line else 90.0
 
 
 def _u(formation: Formation, count: int, deep: float, wide: float, beside: float) -> Iterator[Cell]:

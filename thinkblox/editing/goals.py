@@ -40,6 +40,8 @@ STRAIGHT = 5.0
 """Largest angle between a front and the way to what it looks straight at [degrees]."""
 BY_SMALL = 0.15
 """How far from a small thing another one on the same top is at most that is next to it [m]."""
+SAME_TOP = 0.05
+"""How much higher or lower than another one a small thing stands at most that is next to it on the same top [m]."""
 OFF_BETWEEN = 0.1
 """How far out of the space between two things the middle of something between them is at most [m]."""
 SEAT_DEPTH, SEAT_WIDTH, SEAT_HEIGHT = 0.75, 0.6, 1.2
@@ -266,7 +268,9 @@ class BySmall(Related):
         away = {name: ground_gap(mark, things(after, name)[0]) for name in (*alike, anchor.id) if name != id}
         nearest = min(away, key=lambda name: (away[name], name != anchor.id))
         says += f"; nearer to {nearest}" if nearest != anchor.id else ""
-        return held and away[anchor.id] <= BY_SMALL and nearest == anchor.id, says
+        level = abs(after[id].position[2] - anchor.position[2])
+        says += f"; {level:.2f} m higher or lower" if level > SAME_TOP else ""
+        return held and away[anchor.id] <= BY_SMALL and nearest == anchor.id and level <= SAME_TOP, says
 
 
 @dataclass(frozen=True)
@@ -571,8 +575,15 @@ class Spot(At):
         """The distance between their middles, which may differ by half of what one is longer than the other."""
         old = self.old
         more = abs(max(after[id].size[:2]) - max(old.size[:2])) / 2 if old is not None else 0.0
-        away = math.dist(after[id].position[:2], self.point)
+        away = max(math.dist(after[id].position[:2], self.point), self.higher(after[id]))
         return away <= self.reach + more, f"{id} {away:.2f} m from where {old.id if old is not None else 'it'} was"
+
+    def higher(self, placement: Placement) -> float:
+        """How much higher or lower than the other its middle hangs, where both hang on a wall [m]; else 0."""
+        old = self.old
+        if old is None or not (old.support.endswith("_wall") and placement.support.endswith("_wall")):
+            return 0.0
+        return abs(placement.position[2] + placement.size[2] / 2 - old.position[2] - old.size[2] / 2)
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ import dataclasses
 from functools import partial
 
 from thinkblox.editing.finding import Finder
+from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.remaking import factors, looks_of, otherwise
@@ -45,6 +46,19 @@ def make(work: Work, finder: Finder, order: Order) -> None:
             move(work, finder, order)
         return
     _remake(work, finder, order)
+
+
+def as_larger_one(finder: Finder, order: Order) -> Order | None:
+    """The order that makes the one there is so: "get a bigger wardrobe, 1.5 m wide"; None where it is not that."""
+    noun = order.things[0].noun if len(order.things) == 1 else None
+    change = means("comparatives", noun.degree) if noun is not None and noun.det == "a" and noun.degree else ""
+    if noun is None or not change or noun.kind != "thing" or order.things[0].places or noun.size is not None:
+        return None
+    one = dataclasses.replace(noun, det="the", degree="", attributes=[], unshown=[])
+    if len(finder.matching(one)) != 1:
+        return None
+    looks = [*order.looks, *noun.attributes]
+    return dataclasses.replace(order, doing="make", things=[NounPhrase(one)], change=change, looks=looks)
 
 
 def hangs_down(work: Work, finder: Finder, order: Order) -> bool:

@@ -19,6 +19,7 @@ from thinkblox.editing.acting import (
     related,
     say,
 )
+from thinkblox.editing.beside_at_wall import beside_at_wall
 from thinkblox.editing.carrying import usual_carriers, usual_ties
 from thinkblox.editing.company import company_of, gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
@@ -47,6 +48,7 @@ from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.into_corners import into_corner
 from thinkblox.editing.lengthwise import beside_wall, lengthwise
 from thinkblox.editing.moving_rows import by_rows, row_to_wall, shifted_at_once
+from thinkblox.editing.off_floor import lifted
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.pairing import pair_up
 from thinkblox.editing.parting import with_room_between
@@ -65,13 +67,14 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.stepping import SLIGHT, SLIGHT_STEPS, STEPS, by_step, way_of
+from thinkblox.editing.taking_place import THERE, at_spot, is_there, there_where
 from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import Bound, bound, slots_for, slots_of, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, is_object
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
@@ -80,8 +83,6 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 
-THERE = 0.75
-"""How far from where something was another may stand that comes there [m]."""
 OTHER_CORNER = 1.5
 """How far from where it was something stands at least that goes to another corner [m]."""
 LEFT = 0.3
@@ -419,7 +420,7 @@ def _goals(
 ) -> list[Goal]:
     goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
     if order.there:
-        goals.append(At(finder.left_place(order.text).position[:2], THERE))
+        goals.append(there_where(work, id, finder.left_place(order.text)))
     goals += [Elsewhere(LEFT)] if order.leaves else []
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):
@@ -465,7 +466,7 @@ def _at_place(
         yield from more
         if any(isinstance(goal, Midway) for goal in more):
             return
-    if order.abreast and there.kind == "next_to" and not there.negated:
+    if order.abreast and there.kind == "next_to" and not there.negated and all(map(is_object, there.anchors)):
         yield Abreast("next_to", there.anchors)
         return
     yield related(there, category, index, count)
@@ -572,9 +573,17 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
 
 def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple[Reaching | None, Sequence[Goal]]:
     """Move one object to a place that is said; what was tried where that failed, and the goals that were met."""
+
+    def reach(other: Sequence[Goal]) -> bool:
+        return reach_goals(work, id, other, direct=_spots(work, id, other)) is None
+
+    if (upon := lifted(work, id, goals, reach)) is not None:
+        return None, upon
+    if (walled := beside_at_wall(work, id, goals)) is not None:
+        return None, walled
     before = work.scene[id]
     direct: Iterator[Pose] = chain(
-        _at_spot(work, id, goals),
+        at_spot(work, id, goals),
         _midway(work.scene, before, goals),
         _onto_line(work.scene, before, goals),
         beside_wall(work.scene, work.asset_of(id), before, goals),
@@ -660,8 +669,8 @@ def _is_so(work: Work, goal: Goal, id: str) -> bool:
         or isinstance(goal, Midway)
         or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
     )
-    if type(goal) is At and goal.reach >= THERE:
-        near = math.dist(work.scene[id].position[:2], goal.point) <= MIDDLE
+    if isinstance(goal, At) and goal.reach >= THERE:
+        near = is_there(work, goal, id)
     if isinstance(goal, Related) and goal.kind in ("at", "around") and id in _seats(work, [id]):
         near = _sits_at(work.scene, id) in goal.anchors
     return near and goal.check(work.before, work.scene, id)[0]
@@ -687,24 +696,6 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
         if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount == "floor":
             yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
-
-
-def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
-    """Where another thing stood, as that was turned, and the free places about it: at a wall where it was at one."""
-    for goal in goals:
-        if type(goal) is At and goal.reach >= THERE and work.asset_of(id).mount == "floor":
-            empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
-            yield from along_walls(empty, work.asset_of(id), goal.point, THERE)
-            yield from whole_floor(
-                empty, work.asset_of(id), structs.replace(work.scene[id], position=(*goal.point, 0.0))
-            )
-    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
-        asset = work.asset_of(id)
-        yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw
-        empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
-        if at_wall(work.start, old.id) and asset.mount == "floor":
-            yield from along_walls(empty, asset, old.position[:2], THERE)
-        yield from whole_floor(empty, asset, structs.replace(work.scene[id], position=old.position, yaw=old.yaw))
 
 
 def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -824,6 +815,7 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         there = _also(work, finder, order, id) if also and not _cornered(also) else looks
+        there = [Related("facing", goal.anchors) if isinstance(goal, Across) else goal for goal in there]
         close = Apart((placed[-1] if order.abreast else fixed,), AT_IT, "le")
         pushed = beside and order.text.lower().split(" ", 1)[0] in _PUSHED
         saved, said = work.saved(), len(work.failed)

@@ -12,6 +12,7 @@ from thinkblox.editing.goals import Goal, Region, Related, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.removing import left_over
+from thinkblox.editing.room_for import room_for
 from thinkblox.editing.telling import named, spare
 from thinkblox.editing.wheres import bound, corner_near
 from thinkblox.editing.work import Work
@@ -102,6 +103,8 @@ def free(work: Work, finder: Finder, order: Order) -> None:
     Raises:
         InputError: the order names none, or one that the room does not have.
     """
+    if room_for(work, order):
+        return
     places = [place_named(noun) for noun in order.free]
     zones: list[Zone] = [PlaceZone(place) for place in places]
     zones += [zone for where in order.places for zone in zones_of(work.scene, finder, where, _depth(order))]

@@ -97,6 +97,8 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
     long = "depth" if deep > wide else "width"
     even = bool(_shapes(order.looks or old.attributes) & _EVEN)
     change = "lower" if change == "shorter" and high > max(deep, wide) else change
+    if len(order.lengths) > 1 and not any(axis for _, axis in order.lengths) and not order.by:
+        return _possible(work, old, _outline(old, [metres for metres, _ in order.lengths]), said=True)
     for metres, axis in order.lengths or ([(0.0, "")] if change else []):
         named = axis or _AXES.get(change, "")
         if named == "diameter":
@@ -115,6 +117,14 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
                 sides[across] = sides[side]
     wanted = (sides["depth"], sides["width"], sides["height"])
     return _possible(work, old, wanted, said=bool(order.lengths or order.times))
+
+
+def _outline(old: Asset, lengths: Sequence[float]) -> Vec3:
+    """The size of a thing that is to be "2 by 3 m": its longer side is the longer of the two; a third is its height."""
+    deep, wide, high = old.size
+    less, more = sorted(lengths[:2])
+    deep, wide = (more, less) if deep > wide else (less, more)
+    return (deep, wide, lengths[2] if len(lengths) > 2 else high)
 
 
 def _changed(side: float, metres: float, change: str, *, absolute: bool, order: Order, factor: float) -> float:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.carrying import put_back, take
-from thinkblox.editing.company import seats_at
+from thinkblox.editing.company import SITTING, seats_at
 from thinkblox.editing.goals import Related
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.work import Work
@@ -26,9 +26,12 @@ def with_seats(work: Work, id: str, become: Callable[[], bool], *, asked: bool =
 
     Seats that stand at it as before stay where they are. Where they do not, or are in its way, all are drawn up anew;
     where that cannot be, they stay, and the table becomes so without them if it can: that is told, or noted as not done
-    where it was `asked` that they stand around it.
+    where it was `asked` that they stand around it. What stands
+    about a low table is no seat of it, unless it was asked.
     """
     seats = seats_at(work.scene, id, besides=work.kept)
+    if not asked and work.scene[id].size[2] < SITTING:
+        seats = []
     if not seats:
         return become()
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))

@@ -15,10 +15,12 @@ from thinkblox.editing.goals import At, Goal, OnWall, Related
 from thinkblox.editing.orders import Order
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import BACK, Pose, hides_opening, whole_floor
+from thinkblox.editing.spreading_seats import host_of, spread_seats
 from thinkblox.editing.telling import named
 from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
+from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.nearby import BACK_GAP
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Wall
@@ -55,6 +57,11 @@ def spread(work: Work, finder: Finder, order: Order) -> None:
             f"'{order.text}': things that stand or hang in the room can be spread; it names {', '.join(ids)}"
         )
     finder.about = ids[0]
+    host = host_of(work.scene, ids) if "room" not in order.text.lower() else ""
+    if host and (not walled or _is_along(finder, walled, host)):
+        spread_seats(work, ids, host)
+        finder.recent = ids
+        return
     names = bound(walled[0], work.scene[ids[0]].category, finder).anchors if walled else ()
     wall = next((wall for wall in work.scene.room.walls if wall.name in names), None)
     if walled and (len(names) != 1 or wall is None):
@@ -62,6 +69,12 @@ def spread(work: Work, finder: Finder, order: Order) -> None:
     spots = _along(wall, len(ids)) if wall is not None else _over(work, ids)
     _bring(work, ids, _shared(work.scene, ids, spots), wall)
     finder.recent = ids
+
+
+def _is_along(finder: Finder, places: Sequence[Where], host: str) -> bool:
+    """Whether the one place that is said is the table or counter at which the things stand."""
+    noun = places[0].noun if len(places) == 1 else None
+    return noun is not None and noun.kind == "thing" and host in [p.id for p in finder.matching(noun)]
 
 
 def _bring(work: Work, ids: Sequence[str], spots: dict[str, Vec2], wall: Wall | None) -> None:

@@ -53,6 +53,9 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
+        if settled and (second := _told_second(finder, settled[-1], where)) is not None:
+            settled[-1] = dataclasses.replace(settled[-1], second=second)
+            continue
         told = bool(by_distance(where)) or where.text in (BEARS, BORE)
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
@@ -70,6 +73,18 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
         id = _named(finder, NounPhrase(last), [where], ())[0]
         settled[-1] = dataclasses.replace(settled[-1], noun=dataclasses.replace(last, id=id))
     return [_by_carrier(finder, where, settled) for where in settled]
+
+
+def _told_second(finder: Finder, where: Where, told: Where) -> Noun | None:
+    """The second of two things between which something goes, by what follows it: "the sofa and the plant there"."""
+    second, noun = where.second, told.noun
+    if where.word != "between" or second is None or second.kind != "thing" or second.id or second.many:
+        return None
+    if not second.definite or told.negated or noun is None or noun.kind not in ("place", "thing", "part"):
+        return None
+    if len(finder.matching(second)) < 2:
+        return None
+    return dataclasses.replace(second, id=_named(finder, NounPhrase(second), [told], ())[0])
 
 
 def _is_bare_part(where: Where) -> bool:

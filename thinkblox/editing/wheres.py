@@ -287,6 +287,28 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     return _thing(where, noun, category, finder, picks)
 
 
+def _beside_opening(where: Where, noun: Noun, whole: Noun | None, finder: Finder) -> Bound | None:
+    """To the left or the right of a door or window, or at the other side of it; None of anything else."""
+    if whole is None or whole.kind != "place" or whole.value not in _OPENINGS:
+        return None
+    if noun.value == "side" and noun.det == "other":
+        return _across_opening(where, opening_named(finder.scene, whole), finder)
+    if noun.value not in ("left", "right"):
+        return None
+    beside: RelationKind = "left_of" if noun.value == "left" else "right_of"
+    return Bound(beside, (opening_named(finder.scene, whole),), where.negated)
+
+
+def _across_opening(where: Where, name: str, finder: Finder) -> Bound:
+    """The side of a door or window across from that at which stands what is moved."""
+    here = _here(finder, place_text(where)).position[:2]
+    marks = sorted(things(finder.scene, name), key=lambda mark: math.dist(mark.centre, here))
+    if not marks:
+        raise InputError(f"the room has no {name}")
+    side: RelationKind = "right_of" if marks[0].to_local(here)[1] > 0 else "left_of"
+    return Bound(side, (marks[0].name,), where.negated)
+
+
 def _thing_of(noun: Noun, finder: Finder) -> Noun:
     """The desk or table of somebody: of "the teacher" what is called the teacher's, or else would be.
 
@@ -307,9 +329,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if whole is None and noun.det == "my":
         whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
-        if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
-            beside: RelationKind = "left_of" if noun.value == "left" else "right_of"
-            return Bound(beside, (opening_named(finder.scene, whole),), where.negated)
+        if (beside := _beside_opening(where, noun, whole, finder)) is not None:
+            return beside
         if noun.value == "middle" and whole is not None and whole.kind == "place":
             return _middle_of(where, whole, finder)
         if noun.value == "middle":
@@ -398,6 +419,8 @@ def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> Rel
     here = there[0] if finder.about not in finder.scene and len(there) == 1 else _here(finder, place_text(where))
     ahead, left = thing.to_local(here.position[:2])
     ended = where.noun is not None and where.noun.value == "end" and thing.size[0] != thing.size[1]
+    if finder.scene.asset_of(thing).mount == "wall":
+        return "right_of" if left > 0 else "left_of"
     if thing.size[0] > thing.size[1] if ended else abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
         return "behind" if ahead > 0 else "in_front_of"
     return "right_of" if left > 0 else "left_of"

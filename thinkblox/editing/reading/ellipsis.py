@@ -132,8 +132,17 @@ def _are_two(first: Order, second: Order) -> bool:
         return first.split == second.split == 1 and len(first.things) == len(second.things) == 2
     if _at_spot(first) and any(phrase.places for phrase in second.things):
         return True
+    if _is_mutual_beside(first, second) or _is_mutual_beside(second, first):
+        return True
     placed = any(where.text.lower() in _TO for phrase in second.things for where in phrase.places)
     return _says_how(first) and (_says_how(second) or (placed and not first.closer))
+
+
+def _is_mutual_beside(one: Order, other: Order) -> bool:
+    """Whether only one part says how things stand to each other: "the desk at the wall and the chairs side by side"."""
+    several = len(one.things) > 1 or any(phrase.noun.many for phrase in one.things)
+    placed = _says_how(other) or any(phrase.places for phrase in other.things)
+    return bool(one.mutual) and several and not other.mutual and placed
 
 
 def _is_of_before(order: Order) -> bool:

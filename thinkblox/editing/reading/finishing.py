@@ -95,6 +95,8 @@ def _looked(draft: OrderDraft) -> None:
         order.doing = "make"
     if order.doing == "make" and _is_other_count(draft):
         order.doing, order.things, order.total = "ensure", order.things[1:], True
+    if order.doing == "rearrange" and _only_faces(draft):
+        order.doing = "turn"
     if order.doing == "make" and (order.facing or order.backs or order.mutual) and order.things and not order.room:
         order.doing = "turn"
     if draft.around and order.facing:
@@ -109,6 +111,14 @@ def _looked(draft: OrderDraft) -> None:
         order.closer = []
     if order.doing == "put" and _only_looks(draft):
         order.doing = "turn"
+
+
+def _only_faces(draft: OrderDraft) -> bool:
+    """Whether all that is said of how things are arranged is what they look at: "so that everyone can see the TV"."""
+    order = draft.order
+    known = bool(order.things) and all(p.noun.kind in ("thing", "pronoun") and not p.places for p in order.things)
+    more = order.places or order.mutual or order.into or order.room or order.rest or order.split or order.lengths
+    return bool(order.facing) and known and not more
 
 
 def _is_other_count(draft: OrderDraft) -> bool:
@@ -160,4 +170,5 @@ def _is_about_looks(draft: OrderDraft) -> bool:
     """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
     order = draft.order
     placed = order.places or order.closer or order.direction or order.facing or any(p.places for p in order.things)
-    return not placed and bool(order.looks or order.ruled_out or order.change)
+    sized = len(order.lengths) > 1 and not (order.mutual or order.apart or order.scatter or order.together)
+    return not placed and bool(order.looks or order.ruled_out or order.change or sized)

@@ -30,6 +30,7 @@ from thinkblox.editing.reading.rewording import (
     without_rather_than,
 )
 from thinkblox.editing.reading.row_words import with_rows
+from thinkblox.editing.reading.side_words import with_sides
 from thinkblox.editing.reading.slips import without_slip
 from thinkblox.editing.reading.verbless import with_verbs
 from thinkblox.errors import InputError
@@ -55,7 +56,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
-    read = corrected(lexicon, [without_slip(lexicon, token) for token in lexicon.tokens(plain)])
+    spelt = [without_slip(lexicon, token) for token in lexicon.tokens(plain)]
+    read = corrected(lexicon, with_sides(lexicon, spelt))
     again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(read))))
     owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
     said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))

@@ -198,6 +198,15 @@ def _of_result(draft: OrderDraft, where: Where) -> None:
         draft.order.free.append(where.noun)
     elif draft.order.things:
         draft.order.things[-1].places.append(where)
+        if draft.order.doing == "turn" and _is_at_wall(where):
+            draft.order.doing, draft.order.turn = "put", None
+
+
+def _is_at_wall(where: Where) -> bool:
+    """Whether it is at a wall, to which the back of what is turned so that it stands there comes."""
+    noun = where.noun
+    walled = noun is not None and noun.kind == "place" and "wall" in noun.value and not where.negated
+    return walled and where.word in ("along", "against", "at", "by", "next_to", "on")
 
 
 def _is_borne(draft: OrderDraft, where: Where) -> bool:

@@ -17,8 +17,16 @@ def is_each_of_new(draft: OrderDraft, noun: Noun) -> bool:
     following = draft.ahead()
     linked = isinstance(following, Connector) and following.value == "with"
     said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
+    said |= new and noun.kind == "pronoun" and noun.det == "each" and _is_along(draft)
     draft.eached |= said
     return said
+
+
+def _is_along(draft: OrderDraft) -> bool:
+    """Whether what was named last comes along with something new: "(four plates with) a glass (each)"."""
+    places = draft.order.things[-1].places
+    along = bool(draft.order.company) or any(where.word == "with" for where in places)
+    return along and not draft.order.things[-1].noun.definite
 
 
 def is_one_of_company(draft: OrderDraft, noun: Noun) -> bool:
