@@ -36,6 +36,8 @@ _SEEN = 4
 """Objects of fewer pixels are not marked [pixels]."""
 _POINTED = 4.0
 """Only objects of so many heads of an arrow squared have one."""
+_TRIES = ((1.0, 0.0), (1.0, 0.35), (0.7, 0.0), (0.7, 0.5), (0.7, 0.9))
+"""Lengths of an arrow, and how far it is drawn back, each as a share of its usual length, until none is under it."""
 _CHIP, _TEXT, _ARROW, _HALO = (38, 36, 34), (255, 255, 255), (232, 84, 24), (255, 250, 240)
 _PAPER = (240, 237, 230)
 _GRID = 0.38
@@ -240,14 +242,17 @@ def _draw_fronts(draw: "ImageDraw", seen: _Seen, spots: Spots, size: int) -> lis
         if long < 1.0:
             continue
         way *= float(np.clip(long, 6.0, size / 17)) / long
-        start, end = seen.middle[number] - 0.35 * way, seen.middle[number] + 0.65 * way
-        (left, top), (right, bottom) = np.minimum(start, end), np.maximum(start, end)
-        box = (int(left) - 2, int(top) - 2, int(right) + 3, int(bottom) + 3)
-        if min(box) < 0 or spots.taken[box[1] : box[3], box[0] : box[2]].any():
-            continue
-        spots.take(box)
-        boxes.append(box)
-        _arrow(draw, start, end, size)
+        for share, back in _TRIES:
+            start = seen.middle[number] - (0.35 + back) * share * way
+            end = start + share * way
+            (left, top), (right, bottom) = np.minimum(start, end), np.maximum(start, end)
+            box = (int(left) - 2, int(top) - 2, int(right) + 3, int(bottom) + 3)
+            if min(box) < 0 or spots.taken[box[1] : box[3], box[0] : box[2]].any():
+                continue
+            spots.take(box)
+            boxes.append(box)
+            _arrow(draw, start, end, size)
+            break
     return boxes
 
 
