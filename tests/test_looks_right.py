@@ -157,3 +157,11 @@ def test_what_a_word_means_by_its_company(said: str, thing: str):
 
 def test_a_design_studio_is_an_office():
     assert read_brief("A design studio with three desks").room_type == "office"
+
+
+def test_a_library_at_home_is_furnished_for_one_who_reads_there():
+    brief = read_brief("dark academia private library, rolling ladder, leather armchairs, candles")
+    assert brief.room_type == "home_library"
+    room = {request.category for request in brief.requests}
+    assert {"bookcase", "coffee_table"} <= room
+    assert not {"dining_table", "computer", "monitor"} & room
