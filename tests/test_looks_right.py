@@ -165,3 +165,27 @@ def test_a_library_at_home_is_furnished_for_one_who_reads_there():
     room = {request.category for request in brief.requests}
     assert {"bookcase", "coffee_table"} <= room
     assert not {"dining_table", "computer", "monitor"} & room
+
+
+def test_what_is_on_a_rug_before_a_sofa_stands_before_the_sofa():
+    room = made(
+        "Against the long wall there is a leather chesterfield. In front of the chesterfield lies a Persian rug, and "
+        "on the rug stands an old wooden chest."
+    )
+    (sofa,), (chest,), (rug,) = (placed(room, category) for category in ("sofa", "chest", "rug"))
+    ahead, aside = sofa.to_local((chest.position[0], chest.position[1]))
+    assert ahead > sofa.size[0] / 2
+    assert abs(aside) < sofa.size[1] / 4
+    assert math.dist(chest.position[:2], rug.position[:2]) < max(rug.size[:2]) / 2
+
+
+def test_a_rug_that_is_rolled_up_does_not_lie_flat():
+    found = counts("A lounge with a sofa. The rug is rolled up in the corner.")
+    assert "rolled_rug" in found
+    assert "rug" not in found
+
+
+def test_what_has_no_room_on_a_pedestal_beside_another_stands_on_the_floor():
+    plan = planned("A robot arm on a steel pedestal in the middle, one parts bin on its left and one on its right.")
+    for bin_ in targets(plan, "storage_bin"):
+        assert not any(tie.kind == "on" and "pedestal_1" in tie.anchors for tie in bin_.ties)

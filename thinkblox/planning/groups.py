@@ -65,7 +65,7 @@ def count_off(members: Members) -> None:
     groups: dict[tuple[str, tuple[str, ...]], list[tuple[Member, int]]] = {}
     for member in members.all:
         for place, tie in enumerate(member.ties):
-            if tie.kind in _COUNTED and len(tie.anchors) == 1 and tie.anchors[0] in members.by_id:
+            if not member.flat and tie.kind in _COUNTED and len(tie.anchors) == 1 and tie.anchors[0] in members.by_id:
                 groups.setdefault((tie.kind, tie.anchors), []).append((member, place))
     for group in groups.values():
         for index, (member, place) in enumerate(group):
