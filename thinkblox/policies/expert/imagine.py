@@ -423,7 +423,8 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
             yield _dearer(idea, taken + (0.3 * rank if tie.count > 1 else 0.0))
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
-    barred = not tie.asked or (situation.mount == "floor" and situation.size[2] > EYE_LEVEL)
+    tall = situation.mount == "floor" and situation.size[2] > EYE_LEVEL
+    barred = not tie.asked or (tall and not facts_of(anchor.category).is_in("lain_on"))
     before = (ELSEWHERE * barred + IN_USE) if used else 2.5
     over_it = not tie.asked and situation.scene.asset_of(anchor).gaze == "back"
     behind = (BEHIND_IT if used else 1.5) + (ELSEWHERE if over_it else 0.0)
