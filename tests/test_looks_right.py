@@ -189,3 +189,9 @@ def test_what_has_no_room_on_a_pedestal_beside_another_stands_on_the_floor():
     plan = planned("A robot arm on a steel pedestal in the middle, one parts bin on its left and one on its right.")
     for bin_ in targets(plan, "storage_bin"):
         assert not any(tie.kind == "on" and "pedestal_1" in tie.anchors for tie in bin_.ties)
+
+
+def test_a_twin_room_has_two_single_beds():
+    bed = next(request for request in read_brief("a twin room in a hotel").requests if request.category == "bed")
+    assert bed.count == 2
+    assert "single" in bed.attributes
