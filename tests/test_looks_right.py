@@ -193,3 +193,9 @@ def test_a_twin_room_has_two_single_beds():
     bed = next(request for request in read_brief("a twin room in a hotel").requests if request.category == "bed")
     assert bed.count == 2
     assert "single" in bed.attributes
+
+
+def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
+    room = made("The dishwasher stands next to the sink; four plates are on the counter.")
+    (counter,) = placed(room, "counter")
+    assert off_walls(room, counter) < 0.1

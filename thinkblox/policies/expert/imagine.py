@@ -279,9 +279,10 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
 def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
     """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves.
 
+    One with a sink beside a kitchen's appliance is worked at like the rest of the kitchen, from the room.
     A seat from which something across the room is to be seen stands free before it where the walls are too far apart.
     """
-    served = tie.kind == "near" and situation.facts.is_in("served_over")
+    served = tie.kind == "near" and situation.facts.is_in("served_over") and not _is_of_kitchen(situation)
     if served:
         yield from walls.off_walls(situation)
     for idea in walls.in_line(situation, place):
@@ -289,6 +290,15 @@ def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
     seen = [t for t in situation.followers if comes_across(situation, t)]
     if seen and not tie.asked:
         yield from open_floor.across_from_walls(situation, situation.kind(seen[0]).size[0])
+
+
+def _is_of_kitchen(situation: Situation) -> bool:
+    """Whether a counter has a sink let into it, and what is built into a kitchen's run stands next to it."""
+    own = situation.target.id
+    on = [t for t in situation.followers if any(tie.kind == "on" and own in tie.anchors for tie in t.ties)]
+    beside = [t for t in situation.followers if any(tie.kind == "next_to" and own in tie.anchors for tie in t.ties)]
+    sunk = any(facts_of(t.category).is_in("built_in") for t in on)
+    return sunk and any(facts_of(t.category).is_in("built_in_line") for t in beside)
 
 
 def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
