@@ -126,8 +126,13 @@ def washbasin(spec: Spec) -> Build:
 
 
 def vanity(spec: Spec) -> Build:
-    """Return a basin at the right end of a worktop over a cabinet, with a tap; a double one has a basin at each end."""
+    """Return a basin at the right end of a worktop over a cabinet, with a tap; a double one has a basin at each end.
+
+    One with a plain top has none: basins are to stand on it.
+    """
     x, y, z = spec.size
+    if spec.has("plain-top"):
+        return _plain_vanity(spec)
     if spec.has("double"):
         return _double_vanity(spec)
     split = -y / 2 + min(0.56, 0.5 * y)
@@ -148,20 +153,35 @@ def _double_vanity(spec: Spec) -> Build:
     return build
 
 
-def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
-    """A cabinet over the whole width with a basin and a tap over a part of it [m], without surfaces."""
+def _plain_vanity(spec: Spec) -> Build:
     x, y, z = spec.size
     rim = z - 0.13
+    build = _cabinet(spec, max(2, round(y / 0.45)))
+    build.body.append(box(PORCELAIN, (-x / 2, x / 2), (-y / 2, y / 2), (rim - 0.1, rim)))
+    build.surfaces = [top_surface("worktop", (-x / 2, x / 2), (-y / 2, y / 2), rim)]
+    return build
+
+
+def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
+    """A cabinet over the whole width with a basin and a tap over a part of it [m], without surfaces."""
+    build = _cabinet(spec, doors)
+    build.body += _basin(spec, basin)
+    return build
+
+
+def _cabinet(spec: Spec, doors: int) -> Build:
+    """A cabinet over the whole width, below what its worktop is."""
+    x, y, z = spec.size
     parts = cabinet_parts(
         spec,
         (-x / 2, x / 2 - 0.015),
         (-y / 2 + 0.01, y / 2 - 0.01),
-        (0.0, rim - 0.1),
+        (0.0, z - 0.23),
         [[Cell("door")]] * doors,
         plinth=0.1,
         finish=spec.wood,
     )
-    return Build(body=parts.body + _basin(spec, basin), moving=parts.moving)
+    return Build(body=parts.body, moving=parts.moving)
 
 
 def _basin(spec: Spec, basin: Range) -> list[Part]:

@@ -145,7 +145,7 @@ def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member]
             for anchor in anchors[2 * number : 2 * number + 2]:
                 _add(members, subject, [anchor], relation, 0, 1)
         return
-    if relation.kind in ("on", "next_to") and len(subjects) < len(anchors):
+    if relation.kind in ("on", "next_to", "at") and len(subjects) < len(anchors):
         anchors = sorted(anchors, key=lambda anchor: _load(members, anchor, relation.kind))
     together = relation.kind in _TOGETHER and not relation.each and len(subjects) < len(anchors)
     for number, subject in enumerate(subjects):

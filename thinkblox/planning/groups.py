@@ -12,6 +12,7 @@ _CLOSE = ("next_to", "near", "left_of", "right_of")
 
 
 _PLACED = ("against_wall", "in_corner", "near")
+_AT_WALL = ("against_wall", "in_corner")
 
 
 def lower(members: Members) -> None:
@@ -41,6 +42,18 @@ def _may_stand_elsewhere(upper: Member) -> bool:
     return any(tie.kind in _PLACED for tie in asked) and not any(map(carries, asked))
 
 
+def carry_to_wall(members: Members) -> None:
+    """What is only assumed to carry a thing stands at the very wall, or in the corner, where that is asked to be."""
+    for member in members.all:
+        support = members.support(member) if member.mount == "surface" else None
+        if support is None or support.request.asked or support.request.count > 1:
+            continue
+        placed = [tie for tie in member.ties if tie.asked and tie.kind in _AT_WALL and tie.anchors != ("wall",)]
+        if placed:
+            kept = [tie for tie in support.ties if tie.kind not in _PLACED]
+            support.ties[:] = [replace(placed[0], index=0, count=1, asked=False), *kept]
+
+
 def bring_near(upper: Member, member: Member) -> None:
     """Have a thing on a counter put where `member`, that stands on the floor, is next to it."""
     if not any(member.id in tie.anchors for tie in upper.ties):
@@ -52,7 +65,7 @@ def count_off(members: Members) -> None:
     groups: dict[tuple[str, tuple[str, ...]], list[tuple[Member, int]]] = {}
     for member in members.all:
         for place, tie in enumerate(member.ties):
-            if tie.kind in _COUNTED and len(tie.anchors) == 1 and tie.anchors[0] in members.by_id:
+            if not member.flat and tie.kind in _COUNTED and len(tie.anchors) == 1 and tie.anchors[0] in members.by_id:
                 groups.setdefault((tie.kind, tie.anchors), []).append((member, place))
     for group in groups.values():
         for index, (member, place) in enumerate(group):

@@ -36,12 +36,15 @@ _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 _BESIDE = ("left_of", "right_of", "between")
 """Relations of things that stand where an anchor in a corner may leave no room."""
 _CLOSE = ("next_to", "left_of", "right_of")
+_BY_RUG = ("in_front_of", "at_foot_of")
+"""Relations by which a rug lies where people gather."""
 _APART = ("seating", "lounges", "plants", "lamps", "in_corners", "stands_free", "visits", "attended", "beds")
 """Groups of things of which several do not stand side by side at a wall, or do so by other rules."""
 
 
 def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
     """Complete the ties of every object that has none that says where it stands; nobody is sent to a `free` part."""
+    _stand_where_rugs_lie(members)
     for request in members.by_request.values():
         for member in request:
             _stay_on_floor(members, member)
@@ -61,6 +64,18 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _stand_where_rugs_lie(members: Members) -> None:
+    """What is asked to be on a rug that lies before a sofa stands before the sofa itself, where nobody says more."""
+    for rug in [member for member in members.all if member.flat]:
+        before = [tie for tie in rug.ties if tie.asked and tie.kind in _BY_RUG and len(tie.anchors) == 1]
+        on = [members.by_id.get(tie.anchors[0]) for tie in rug.ties if tie.asked and tie.kind == "under"]
+        for member in on:
+            if member is not None and before and member.mount == "floor" and not member.ties:
+                anchor = members.by_id.get(before[0].anchors[0])
+                if anchor is not None and not members.depends(anchor, member):
+                    member.ties.append(Tie(kind=before[0].kind, anchors=before[0].anchors, asked=False))
 
 
 def _together(members: Members, waiting: list[Member]) -> list[Member]:

@@ -67,7 +67,7 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
     """Its attributes, and the words for the form that suits what it has on, in or under it, or that it is in."""
     roles: dict[Role, bool] = {
         "holds": bool(in_it(member, members)),
-        "carries": bool(on_it(member, members)),
+        "carries": _is_topped(member, members),
         "over": bool(under_it(member, members)),
         "inside": any(tie.kind == "inside" for tie in member.ties),
         "below": any(m.mount == "wall" for m in _tied(member, members, "above")),
@@ -83,6 +83,13 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
     if long and any(_is_too_narrow(holder, member, members) for holder in open_ones):
         found.append(UPRIGHT)
     return tuple(dict.fromkeys((*member.request.attributes, *found)))
+
+
+def _is_topped(member: Member, members: Members) -> bool:
+    """Whether it carries what its form is about: one with a basin of its own has that unless others are let into it."""
+    on = on_it(member, members)
+    built_in = (facts_of(m.category).is_in("built_in") for m in on)
+    return any(built_in) if facts_of(member.category).is_in("basins") else bool(on)
 
 
 def _form(member: Member, members: Members, role: Role) -> str:
@@ -169,7 +176,7 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     """Depth and width at which all that is to be on it has room side by side [m]; None where it has that as it is."""
     loads = on_it(member, members)
     kind = kind_of(member.category)
-    if not loads or kind.flat or member.mount == "ceiling":
+    if not loads or kind.flat or member.mount == "ceiling" or kind.is_in("built_in"):
         return None
     usual = usual_size(member, members)
     open_ = [s for s in asset_of(member, members, usual).surfaces if not s.within]

@@ -12,7 +12,7 @@ from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
-from thinkblox.planning.groups import count_off, lower
+from thinkblox.planning.groups import carry_to_wall, count_off, lower
 from thinkblox.planning.implied import imply
 from thinkblox.planning.loads import words_of
 from thinkblox.planning.members import Member, Members
@@ -66,6 +66,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     seat_about(members)
     keep_views(members)
     lower(members)
+    carry_to_wall(members)
     count_off(members)
     ordered = _ordered(members)
     due = _due(members, ordered)
@@ -246,11 +247,16 @@ def _is_wall_wide(member: Member) -> bool:
 
 
 def _is_with_anchor(member: Member, members: Members) -> bool:
-    """Whether it takes its place before what stands free, as that does by which it stands: a run, or a counter."""
+    """Whether it takes its place before what stands free, as that does by which it stands: a run, or a counter.
+
+    So does a bed that only looks at what hangs on a wall: it needs the wall across from that.
+    """
     ties = [tie for tie in member.ties if any(map(is_object, tie.anchors))]
     anchors = [members.by_id[anchor].category for tie in ties for anchor in tie.anchors if anchor in members.by_id]
     kinds = {tie.kind for tie in ties}
     own = facts_of(member.category)
+    if own.is_in("beds") and kinds and kinds <= {"facing", "opposite"}:
+        return all(kind_of(category).mount == "wall" for category in anchors)
     if not anchors or (kinds == {"next_to"} and (own.is_in("built_in_line") or not own.is_in("surfaces", "tops"))):
         return False
     group = {"in_front_of": "built_in_line", "next_to": "served_over"}.get(next(iter(kinds)), "")

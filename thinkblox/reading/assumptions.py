@@ -324,7 +324,11 @@ def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
     usuals = room_type(room).usual
     for usual in usuals:
         for kind, anchor, _ in usual.relations:
-            if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
+            if (
+                anchor == noun
+                and kind in ("at", "around", "at_long_side")
+                and load_habits().is_in(usual.category, "drawn_aside")
+            ):
                 tables = sum(other.count for other in usuals if other.category == anchor) or 1
                 return relation_kind(kind), usual.category, max(1, usual.count // tables)
     drawn = usual_seat(noun) or usual_seat(stand_in(noun).like)
@@ -436,15 +440,22 @@ def _is_of_other(draft: Draft, thing: Mention) -> bool:
 
 
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
-    """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
+    """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each.
+
+    Of seats that nobody counts there are as many as those tables usually have.
+    """
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
     seats = [t for t in seats if not _is_of_one(draft, t, usual)]
     uncounted = [t for t in draft.things if t.asked and t.count is None and t.plural and not draft.bonds_of(t)]
-    hung = [t for t in uncounted if _serves(t.noun, usual)]
+    alike = [t for t in uncounted if _serves(t.noun, usual)]
+    if len(seats) == 1 and seats[0].many and load_habits().is_in(seats[0].noun, "lounges"):
+        _line_up(draft, seats[0], usual, made)
     for kind, anchors, each in usual.relations:
         place = made.get(_place(anchors, made))
-        if hung and each and kind == "above" and place is not None:
-            draft.bonds.append(Bond("above", hung[0], (place,), each=True, asked=False))
+        if alike and kind in _SEATED and usual.count > 1 and place is not None and not place.asked:
+            alike[0].count = usual.count
+        if alike and each and kind == "above" and place is not None:
+            draft.bonds.append(Bond("above", alike[0], (place,), each=True, asked=False))
         if len(seats) == 1 and usual.category == room_type(draft.room).place and kind == "on" and place is not None:
             if not place.asked:
                 _multiply(draft, place, seats[0].count or 1)
@@ -453,6 +464,16 @@ def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None
             if place.count != seats[0].count:
                 _multiply(draft, place, seats[0].count or 1)
             draft.bonds.append(Bond(relation_kind(kind), seats[0], (place,), asked=False))
+
+
+def _line_up(draft: Draft, seat: Mention, usual: Usual, made: Mapping[str, Mention]) -> None:
+    """Put seats that are asked for into the rows in which such seats stand there, to look at what those look at."""
+    if not any(kind == "in_rows" for kind, _, _ in usual.relations):
+        return
+    for kind, anchors, _ in usual.relations:
+        seen = made.get(_place(anchors, made))
+        if kind == "in_rows" or seen is not None:
+            draft.bonds.append(Bond(relation_kind(kind), seat, (seen,) if seen is not None else (), asked=False))
 
 
 def _place(anchors: str, made: Mapping[str, Mention]) -> str:
@@ -833,16 +854,24 @@ def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
 
 
 def _carrier(draft: Draft, carriers: list[str]) -> str:
-    """Return the usual carrier; a side table rather than a dining table where nobody dines, no bed in a hall."""
+    """Return the usual carrier; a side table where nobody dines, no bed in a hall, no bar in a home."""
     usual = {usual.category for usual in room_type(draft.room).usual}
     awake = not room_type(draft.room).sleeps and draft.room not in ("", UNKNOWN_ROOM)
     if awake and carriers and load_habits().is_in(carriers[0], "beds"):
         beds = load_habits().group("beds")
         carriers = sorted((c for c in carriers if c not in beds), key=lambda c: c not in usual)
+    if (
+        carriers
+        and load_habits().is_in(carriers[0], "served_over")
+        and usual.isdisjoint(load_habits().group("counters"))
+    ):
+        carriers = sorted(carriers, key=lambda c: c not in usual)
     if not carriers:
         return ""
     large = load_habits().is_in(carriers[0], "large_tables")
     public = room_type(draft.room).public
+    if large and room_type(draft.room).sleeps and "nightstand" in carriers and _has(draft, "beds"):
+        return "nightstand"
     return "side_table" if large and not public and "side_table" in carriers else carriers[0]
 
 

@@ -1,5 +1,6 @@
 """What lies on what: beside what lies on a table is on the table, and a piano is hardly on a side table."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -76,7 +77,18 @@ def _carrier_of_neighbour(draft: Draft, bond: Bond) -> Bond | None:
         return None
     if _is_placed(draft, bond.subject) or (beside.many and not bond.each):
         return None
-    return next((b for b in draft.bonds_of(beside) if _lies(b) and b.anchors[0] is not bond.subject), None)
+    lies = next((b for b in draft.bonds_of(beside) if _lies(b) and b.anchors[0] is not bond.subject), None)
+    return lies if lies is not None and _has_room_for_both(lies, bond.subject) else None
+
+
+def _has_room_for_both(lies: Bond, thing: Mention) -> bool:
+    """Whether what lies on a thing leaves room for another there, which might as well stand on the floor."""
+    carrier = lies.anchors[0]
+    assert isinstance(carrier, Mention)
+    if carrier.noun in GENERAL_WORDS or all(habit.kind == "on" for habit in load_habits().of(thing.noun)):
+        return True
+    areas = [math.prod(kind_of(each.noun).size[:2]) for each in (lies.subject, thing, carrier)]
+    return areas[0] + areas[1] <= areas[2]
 
 
 def _lies(bond: Bond) -> bool:

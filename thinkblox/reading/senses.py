@@ -56,6 +56,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     hung = any(b.anchors == ("ceiling",) for b in bonds if b.subject is thing)
     facts = {
         "attr": {*thing.attributes, *(["hanging"] if hung else [])},
+        "state": {state.replace(" ", "-") for state in thing.states},
         "room": set(kinds_of_room(room)),
         "usual": {usual.category for usual in room_type(room).usual},
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},

@@ -53,6 +53,8 @@ AMID, AMID_INSTEAD = 2.0, 5.0
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
 BEHIND_IT, IN_USE = 3.0, 6.0
 """Cost of standing behind or before what has a front, instead of beside it."""
+EYE_LEVEL = 1.4
+"""What is higher bars a front that it stands before, rather than being in the way of it [m]."""
 RECEIVING = -2.5
 """Cost of a desk that looks into the room where people are received across it."""
 UNSERVED = 2.0
@@ -220,8 +222,9 @@ def _any_surface(situation: Situation) -> Iterator[Idea]:
             continue
         if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
-    for idea in anywhere(situation):
-        yield _dearer(idea, ELSEWHERE / 2)
+    if situation.target.asked or not situation.facts.is_in("built_in"):
+        for idea in anywhere(situation):
+            yield _dearer(idea, ELSEWHERE / 2)
 
 
 def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
@@ -276,9 +279,10 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
 def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
     """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves.
 
+    One with a sink beside a kitchen's appliance is worked at like the rest of the kitchen, from the room.
     A seat from which something across the room is to be seen stands free before it where the walls are too far apart.
     """
-    served = tie.kind == "near" and situation.facts.is_in("served_over")
+    served = tie.kind == "near" and situation.facts.is_in("served_over") and not _is_of_kitchen(situation)
     if served:
         yield from walls.off_walls(situation)
     for idea in walls.in_line(situation, place):
@@ -286,6 +290,15 @@ def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
     seen = [t for t in situation.followers if comes_across(situation, t)]
     if seen and not tie.asked:
         yield from open_floor.across_from_walls(situation, situation.kind(seen[0]).size[0])
+
+
+def _is_of_kitchen(situation: Situation) -> bool:
+    """Whether a counter has a sink let into it, and what is built into a kitchen's run stands next to it."""
+    own = situation.target.id
+    on = [t for t in situation.followers if any(tie.kind == "on" and own in tie.anchors for tie in t.ties)]
+    beside = [t for t in situation.followers if any(tie.kind == "next_to" and own in tie.anchors for tie in t.ties)]
+    sunk = any(facts_of(t.category).is_in("built_in") for t in on)
+    return sunk and any(facts_of(t.category).is_in("built_in_line") for t in beside)
 
 
 def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
@@ -420,7 +433,9 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
             yield _dearer(idea, taken + (0.3 * rank if tie.count > 1 else 0.0))
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
-    before = (IN_USE if tie.asked else ELSEWHERE + IN_USE) if used else 2.5
+    tall = situation.mount == "floor" and situation.size[2] > EYE_LEVEL
+    barred = not tie.asked or (tall and not facts_of(anchor.category).is_in("lain_on"))
+    before = (ELSEWHERE * barred + IN_USE) if used else 2.5
     over_it = not tie.asked and situation.scene.asset_of(anchor).gaze == "back"
     behind = (BEHIND_IT if used else 1.5) + (ELSEWHERE if over_it else 0.0)
     for side, dear in (("back", behind), ("front", before)):
@@ -626,7 +641,8 @@ def _facing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
         return
     if tie.count > 1 and anchor.id not in {t.id for t in _company(situation)}:
         yield from open_floor.side_by_side(situation, anchor, tie)
-    yield from open_floor.looking_at(situation, anchor)
+    for idea in open_floor.looking_at(situation, anchor):
+        yield _dearer(idea, AMID_INSTEAD if situation.facts.is_in("beds") else 0.0)
     yield from walls.opposite(situation, anchor)
 
 

@@ -21,6 +21,8 @@ def partner_ideas(situation: Situation) -> Iterator[Idea]:
         size = situation.kind(later).size
         looking = partner.id in _looked_at(situation.target)
         if looking or situation.target.id in _looked_at_by(situation, partner):
+            if not _comes_between(later):
+                continue  # What is beside both of two that look at each other is at their ends.
             yield from _before(situation, partner, max(size[:2]), later)
         else:
             gaps = tuple(round(size[1] + 2 * air, 3) for air in AIRS)
@@ -49,6 +51,8 @@ def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None
         if not _makes_pair(situation, own, other.id):
             return None
         if own.id in _looked_at(other) or other.id in _looked_at(own):
+            if not _comes_between(follower):
+                return None
             return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, 4.0)
         return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
     return None
@@ -82,6 +86,10 @@ def _sharers(target: Target) -> tuple[str, ...]:
     beside = tuple(tie.anchors[0] for tie in target.ties if tie.kind == "next_to" and len(tie.anchors) == 1)
     objects = tuple(anchor for anchor in beside if is_object(anchor))
     return objects if len(objects) == 2 else ()
+
+
+def _comes_between(target: Target) -> bool:
+    return any(tie.kind == "between" for tie in target.ties)
 
 
 def _looked_at(target: Target) -> tuple[str, ...]:

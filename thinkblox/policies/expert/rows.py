@@ -95,7 +95,8 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
     if walled and not order and not tie.asked and not facing and not mutual:
         blocks = _at_walls(situation, tie)
     elif not facing and not mutual and ((order and walled) or belongs_to_wall(situation)):
-        blocks = _joined(_at_walls(situation, tie), _dearer(blocks, AWAY_FROM_WALL))
+        aisles = tie.asked and tie.rows > 1 and situation.facts.is_in("from_aisles")
+        blocks = _joined(_at_walls(situation, tie), blocks if aisles else _dearer(blocks, AWAY_FROM_WALL))
     blocks = _holding(situation, blocks, order)
     if not len(blocks):
         return

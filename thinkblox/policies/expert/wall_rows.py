@@ -27,10 +27,17 @@ UNEVEN = 1.0
 
 
 def belongs_to_wall(situation: Situation) -> bool:
-    """Whether such a thing stands with its back to a wall."""
+    """Whether such a thing stands with its back to a wall, and nobody sits all around it."""
     habits = (habit for habit in situation.facts.habits if " if " not in habit)
-    amid = is_in_blocks(situation) or situation.facts.is_in("islands")
+    amid = is_in_blocks(situation) or situation.facts.is_in("islands") or _is_sat_round(situation)
     return not amid and next(habits, "").startswith("against_wall")
+
+
+def _is_sat_round(situation: Situation) -> bool:
+    own = situation.target.id
+    return any(
+        tie.kind in ("around", "at_long_side") and own in tie.anchors for t in situation.followers for tie in t.ties
+    )
 
 
 def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list[float], float]]:

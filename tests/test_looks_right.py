@@ -1,0 +1,201 @@
+"""What made a person shake the head over a room: one case for each cause."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from thinkblox.assets import make_asset
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
+from thinkblox.plan import Plan, Target
+from thinkblox.planning import ExpertPlanner, plan_brief, varied
+from thinkblox.reading import read_brief
+from thinkblox.scene.placement import Placement
+
+
+@cache
+def made(prompt: str) -> Generation:
+    return generate_room(prompt, seed=0)
+
+
+@cache
+def planned(prompt: str) -> Plan:
+    brief = varied(read_brief(prompt), 0)
+    return plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+
+
+def counts(prompt: str) -> dict[str, int]:
+    return {request.category: request.count for request in read_brief(prompt).requests}
+
+
+def placed(room: Generation, category: str) -> list[Placement]:
+    return [p for p in room.scene.placements if p.category == category]
+
+
+def off_walls(room: Generation, thing: Placement) -> float:
+    return min(abs(wall.coordinates(corner)[1]) for wall in room.scene.room.walls for corner in thing.corners)
+
+
+def targets(plan: Plan, category: str) -> list[Target]:
+    return [target for target in plan.targets if target.category == category]
+
+
+def test_a_hob_is_no_larger_for_the_pans_on_it():
+    plan = planned("A kitchen. Two frying pans and a cooking pot are on the hob.")
+    (hob,) = targets(plan, "hob")
+    assert hob.size[1] is None or hob.size[1] <= 0.6
+
+
+def test_uncounted_chairs_are_enough_for_the_tables_of_a_cafe():
+    found = counts("a coffee shop with mismatched chairs")
+    assert found["chair"] == 2 * found["dining_table"]
+
+
+def test_chairs_that_a_prompt_tells_apart_have_desks_of_their_own():
+    plan = planned(
+        "Four desks along the wall. Each has a chair; every second chair has a cushion on it, so two in all."
+    )
+    at = [tie.anchors for chair in targets(plan, "chair") for tie in chair.ties if tie.kind == "at"]
+    assert len(at) == len(set(at)) == 4
+
+
+def test_a_bed_that_looks_at_a_screen_has_its_head_at_the_wall():
+    room = made("A hotel room, 4 x 6.5 m, with a king bed facing a wall-mounted TV and an armchair near the window.")
+    assert off_walls(room, *placed(room, "bed")) < 0.1
+
+
+def test_a_vanity_with_sinks_on_it_has_no_basin_of_its_own():
+    (vanity,) = targets(planned("A bathroom with a vanity; two vessel sinks are on the vanity."), "vanity")
+    assert "plain-top" in vanity.attributes
+    (other,) = targets(planned("A bathroom with a vanity; a soap dispenser is on the vanity."), "vanity")
+    assert "plain-top" not in other.attributes
+    plain = make_asset("vanity", seed=0, attributes=("plain-top",))
+    assert max(s.size[1] for s in plain.surfaces) > 0.9 * plain.size[1]
+
+
+@pytest.mark.parametrize(
+    ("said", "thing", "part"),
+    [
+        ("A bathroom with a toilet; its lid is closed.", "toilet", "lid"),
+        ("A study with a filing cabinet; its drawers are closed.", "filing_cabinet", "dresser"),
+    ],
+)
+def test_the_state_of_a_part_is_that_of_its_thing(said: str, thing: str, part: str):
+    brief = read_brief(said)
+    assert part not in {request.category for request in brief.requests}
+    assert next(r for r in brief.requests if r.category == thing).states == ("closed",)
+    assert all(word.fate == "requested" for word in brief.account if word.text in ("its", "lid", "drawers"))
+
+
+def test_a_bathroom_has_all_that_one_needs_there():
+    named = (
+        "Family bathroom: two washbasins side by side, a mirror above each, a bathtub, a cabinet, a towel rail, a rug."
+    )
+    assert targets(planned(named), "toilet")
+    hotel = planned("bathroom like in a five star hotel, white marble, fluffy towels, an orchid")
+    assert targets(hotel, "shower_cabin") or targets(hotel, "bathtub")
+    assert not targets(planned("A bathroom with a toilet and no bathtub and no shower"), "shower_cabin")
+
+
+def test_many_recliners_stand_in_rows_before_the_screen():
+    plan = planned("home cinema, six recliners and a popcorn machine at the back")
+    recliners = targets(plan, "recliner")
+    assert {tie.kind for tie in recliners[0].ties} == {"in_rows", "facing"}
+    assert not targets(plan, "counter")
+    (machine,) = targets(plan, "popcorn_machine")
+    (carrier,) = (t for t in plan.targets if any(t.id in tie.anchors for tie in machine.ties if tie.kind == "on"))
+    asked = next(tie for tie in machine.ties if tie.asked)
+    assert (asked.kind, asked.anchors) in {(tie.kind, tie.anchors) for tie in carrier.ties}
+
+
+def test_what_is_beside_two_sofas_that_face_each_other_does_not_bring_them_together():
+    room = made("An L-shaped living room. Two sofas face each other, a fireplace is against the wall.")
+    one, other = placed(room, "sofa")
+    assert math.dist(one.position, other.position) > 1.2 + one.size[0]
+
+
+def test_nothing_tall_stands_before_a_bench_that_it_is_next_to():
+    room = made(
+        "Chemistry lab: a lab bench against the wall with three beakers on it, a fume hood next to the bench, a lab "
+        "stool in front of the bench, two gas cylinders against the wall."
+    )
+    (bench,), (hood,) = placed(room, "lab_bench"), placed(room, "fume_hood")
+    x, y = bench.to_local((hood.position[0], hood.position[1]))
+    assert not (x > bench.size[0] / 2 and abs(y) < bench.size[1] / 4)
+
+
+def test_rows_of_shelves_that_are_asked_for_stand_amid_a_shop():
+    room = made("A corner grocery, 10 m x 8 m. Six shelving units stand in two rows of three.")
+    assert all(off_walls(room, shelves) > 0.5 for shelves in placed(room, "shelving_unit"))
+
+
+def test_one_sits_on_both_sides_of_a_manicure_table():
+    room = made("a nail salon")
+    for table in placed(room, "manicure_table"):
+        assert off_walls(room, table) > 0.5
+
+
+def test_candles_in_a_bedroom_stand_on_a_nightstand():
+    found = counts("cosy hygge bedroom with candles")
+    assert "side_table" not in found
+
+
+@pytest.mark.parametrize(
+    ("said", "thing"),
+    [
+        ("A sideboard with a fan on it", "desk_fan"),
+        ("A fan in the corner", "fan"),
+    ],
+)
+def test_what_a_word_means_by_its_company(said: str, thing: str):
+    assert thing in counts(said)
+
+
+def test_a_design_studio_is_an_office():
+    assert read_brief("A design studio with three desks").room_type == "office"
+
+
+def test_a_library_at_home_is_furnished_for_one_who_reads_there():
+    brief = read_brief("dark academia private library, rolling ladder, leather armchairs, candles")
+    assert brief.room_type == "home_library"
+    room = {request.category for request in brief.requests}
+    assert {"bookcase", "coffee_table"} <= room
+    assert not {"dining_table", "computer", "monitor"} & room
+
+
+def test_what_is_on_a_rug_before_a_sofa_stands_before_the_sofa():
+    room = made(
+        "Against the long wall there is a leather chesterfield. In front of the chesterfield lies a Persian rug, and "
+        "on the rug stands an old wooden chest."
+    )
+    (sofa,), (chest,), (rug,) = (placed(room, category) for category in ("sofa", "chest", "rug"))
+    ahead, aside = sofa.to_local((chest.position[0], chest.position[1]))
+    assert ahead > sofa.size[0] / 2
+    assert abs(aside) < sofa.size[1] / 4
+    assert math.dist(chest.position[:2], rug.position[:2]) < max(rug.size[:2]) / 2
+
+
+def test_a_rug_that_is_rolled_up_does_not_lie_flat():
+    found = counts("A lounge with a sofa. The rug is rolled up in the corner.")
+    assert "rolled_rug" in found
+    assert "rug" not in found
+
+
+def test_what_has_no_room_on_a_pedestal_beside_another_stands_on_the_floor():
+    plan = planned("A robot arm on a steel pedestal in the middle, one parts bin on its left and one on its right.")
+    for bin_ in targets(plan, "storage_bin"):
+        assert not any(tie.kind == "on" and "pedestal_1" in tie.anchors for tie in bin_.ties)
+
+
+def test_a_twin_room_has_two_single_beds():
+    bed = next(request for request in read_brief("a twin room in a hotel").requests if request.category == "bed")
+    assert bed.count == 2
+    assert "single" in bed.attributes
+
+
+def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
+    room = made("The dishwasher stands next to the sink; four plates are on the counter.")
+    (counter,) = placed(room, "counter")
+    assert off_walls(room, counter) < 0.1
