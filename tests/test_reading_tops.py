@@ -31,6 +31,10 @@ from thinkblox.reading import read_brief
         ("A console table with a lamp at one end and a vase at the other.", "1 vase on console_table"),
         ("A sofa with a cushion on the left side.", "1 pillow on sofa, 1 pillow left_of sofa"),
         ("On the left side of the desk is a laptop; on the right side a stack of books.", "1 book_stack right_of desk"),
+        ("A table with a red cube on the left third.", "1 cube on dining_table, 1 cube left_of dining_table"),
+        ("A cafe with three tables, each with two chairs, by the window.", "6 chair around dining_table"),
+        ("A cafe with three tables each with two chairs by the window.", "3 dining_table next_to window"),
+        ("Ten boxes, half on the floor and the other half on shelves.", "5 box on floor, 5 box-2 on shelving_unit"),
         (
             "An island in the middle, sinks at both ends.",
             "1 sink left_of kitchen_island, 1 sink-2 right_of kitchen_island",
@@ -102,6 +106,11 @@ def test_so_many_in_each_row_are_counted_and_where_is_asked() -> None:
 
 def test_a_first_word_that_nobody_knows_is_said() -> None:
     assert read_brief("A glorp with a clock on the wall.").unknown == ("A glorp (no such room or thing is known)",)
+
+
+def test_a_mug_in_the_corner_is_doubted() -> None:
+    brief = read_brief("The desk is by the window. There is a mug at the front right corner.")
+    assert brief.unknown == ("a mug in the corner (of what?)",)
 
 
 def test_what_is_outside_of_the_room_is_said() -> None:

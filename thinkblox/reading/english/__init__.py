@@ -32,6 +32,7 @@ from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.reasons import with_reasons
+from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
@@ -47,10 +48,6 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 """Abbreviations whose points end no sentence."""
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
-_FORMED = re.compile(r"\b(?:form|forms|forming|make up|making up)(?= \w+ rows\b)", re.IGNORECASE)
-"""What several do that stand in so many rows."""
-_ACROSS = re.compile(r"\bopposite (?=(?:side|end)\b(?! of (?!the room)))", re.IGNORECASE)
-"""Of two sides the other one."""
 _ONE = re.compile(
     r"\ban?(?= (?:met(?:re|er)|foot|yard) (?:away|apart|from|in front|behind|above|below|off)\b)", re.IGNORECASE
 )
@@ -98,11 +95,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
-    text = _FORMED.sub(lambda match: "in".ljust(len(match[0])), text)
-    text = _ACROSS.sub("other    ", text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = plainly(with_abilities(with_owners(with_parts(_spelt_out(lexicon.tokens(text))))))
+    tokens = reworded(plainly(with_abilities(with_owners(with_parts(_spelt_out(lexicon.tokens(text)))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]

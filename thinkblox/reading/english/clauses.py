@@ -1,7 +1,6 @@
 """Chunks of an English text to a draft, clause by clause."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
@@ -221,10 +220,6 @@ class Clauses(Audit):
             self._spend(noun)
             return
         word = noun.text.rpartition(" ")[2].lower()
-        if self._is_state_of_part(noun, word):
-            self._spend(noun)
-            self._pronoun(replace(noun, kind="pronoun", value="it"))
-            return
         if noun.definite and word in grammar().lists["parts"] and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
             if whole is not None and whole.kind == "thing":
@@ -243,13 +238,6 @@ class Clauses(Audit):
             self._define(noun)
             return
         self._take_thing(noun)
-
-    def _is_state_of_part(self, noun: Noun, word: str) -> bool:
-        """Whether it tells how what was named before is: "a toilet; its lid is closed"."""
-        own = noun.text.lower().startswith(("its ", "their ")) and word in grammar().lists["parts"]
-        said = self.chunks[self.at + 1] if self.at + 1 < len(self.chunks) else None
-        told = self._is_link(self.peek(), "verbs", "be") and isinstance(said, Adjective) and bool(said.states)
-        return own and told and bool(self.draft.things)
 
     def _take_thing(self, noun: Noun) -> None:
         """Take what was named before, or something new; it has what follows where a verb is left out."""

@@ -119,11 +119,12 @@ class Doubts(Corrections):
         return self._on_what(bond, anchors[0]) or self._of_how_many(bond, anchors)
 
     def _middle_of_what(self, bond: Bond) -> str:
-        """What is said of what has to lie on something and is only in the middle."""
+        """What is said of what has to lie on something and is only in the middle, or in a corner."""
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
-        middle = bond.kind == "in_centre" and bond.anchors == ("centre",) and tops
+        where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
+        where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
         lies = is_small(bond.subject) and self._is_carried(bond.subject)
-        return f"{bond.subject.text} in the middle (of what?)" if middle and lies else ""
+        return f"{bond.subject.text} in the {where} (of what?)" if tops and where and lies else ""
 
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
         """What is said of a thing that has to lie on something, or cannot."""

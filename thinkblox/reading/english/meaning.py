@@ -13,6 +13,7 @@ from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import SIDES, relation_at
 from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.reading.english.referents import Referents, fits, is_small
+from thinkblox.reading.english.rewording import SHARES
 
 _OPENINGS = ("window", "door")
 _NAMED = {
@@ -415,7 +416,7 @@ class Meanings:
         """How seats on "one side" and "the other" of a table stand to it: these are its long ones."""
         habits, name = load_habits(), subjects[-1].noun if subjects else noun
         seated = habits.is_in(name, "seats", "chairs") and habits.is_in(whole.noun, *_TOPS)
-        if not seated or not side.text.lower().startswith(("one ", "the other")):
+        if not seated or not (side.text.lower().startswith("one ") or side.det == "other"):
             return kind
         return {"left_of": "in_front_of", "right_of": "behind"}.get(kind, kind)
 
@@ -462,7 +463,7 @@ class Meanings:
         ends = words[-1] in ("end", "edge", "corner") or "far" in words or said.value in _CORNERS
         if said.value not in (*SIDES, "side", "end", *_CORNERS) or said.det == "other":
             return False
-        if not ends and (where.word != "on" or (said.det == "my" and words[-1] != "side")):
+        if not ends and (where.word != "on" or (said.det == "my" and words[-1] not in ("side", *SHARES))):
             return False
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
         if lies and where.word == "on" and habits.is_in(whole.noun, "surfaces", "beds", "lounges"):

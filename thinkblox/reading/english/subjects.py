@@ -245,7 +245,9 @@ class Subjects(Having):
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
         if self._is_link(self.peek(), "prepositions") and self._is_pronoun_next():
             return False
-        if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
+        if noun.kind != "place" or (noun.value == "centre" and where.whole is None):
+            return False
+        if frame.each and not self._goes_with_its_head(thing, frame):
             return False
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
         within = any(b.told and b.kind == "inside" for b in self.draft.bonds_of(thing))
@@ -254,6 +256,12 @@ class Subjects(Having):
         heads = frame.head.things if frame.head is not None else []
         hung &= where.word not in _STANDING or any(self.habits.is_in(t.noun, "wallpieces") for t in heads)
         return not on_surface and not hung
+
+    def _goes_with_its_head(self, thing: Mention, frame: Listed) -> bool:
+        """Whether each stands at what has it, or lies on it: "three tables each with two chairs by the window"."""
+        heads = frame.head.things if frame.head is not None else []
+        kinds = ("around", "at", "on", "inside")
+        return any(b.implied and b.kind in kinds and set(b.anchors) & set(heads) for b in self.draft.bonds_of(thing))
 
     def _is_pronoun_next(self) -> bool:
         """Whether "it" comes after the next preposition: "with four screens on the wall above it"."""

@@ -1,0 +1,30 @@
+"""Words that are read as others: "the left third" is the left side, "the opposite end" the other end."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.tokens import Token
+
+_SIDES = ("left", "right", "front", "back", "leftmost", "rightmost")
+SHARES = ("third", "half", "part", "portion")
+"""Parts of a top that are at a side of it."""
+_OF_ROOM = ["of", "the", "room"]
+
+
+def reworded(tokens: Sequence[Token]) -> list[Token]:
+    """Tokens with the words that they are read as; what was written stays as it is."""
+    words = [token.text for token in tokens]
+    read = list(words)
+    for at, word in enumerate(words):
+        before, after = words[at - 1] if at else "", words[at + 1 : at + 5]
+        if word in SHARES and before in _SIDES and after[:3] != _OF_ROOM:
+            read[at] = "side"
+        elif (
+            word == "opposite" and after[:1] in (["side"], ["end"]) and (after[1:2] != ["of"] or after[1:] == _OF_ROOM)
+        ):
+            read[at] = "other"
+        elif word in ("form", "forms", "forming") and after[1:2] == ["rows"]:
+            read[at] = "in"
+        elif [word, *after[:1]] == ["other", "half"] and before == "the" and after[1:2] != ["of"]:
+            read[at : at + 2] = ["others", "there"]
+    return [replace(token, text=new) if new != token.text else token for token, new in zip(tokens, read, strict=True)]
