@@ -416,7 +416,7 @@ class Meanings:
         """How seats on "one side" and "the other" of a table stand to it: these are its long ones."""
         habits, name = load_habits(), subjects[-1].noun if subjects else noun
         seated = habits.is_in(name, "seats", "chairs") and habits.is_in(whole.noun, *_TOPS)
-        if not seated or not (side.text.lower().startswith("one ") or side.det == "other"):
+        if not seated or not side.text.lower().startswith(("one ", "the other", "the opposite")):
             return kind
         return {"left_of": "in_front_of", "right_of": "behind"}.get(kind, kind)
 

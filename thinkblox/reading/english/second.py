@@ -382,7 +382,7 @@ def _is_side_of_either(place: SaidPosition) -> bool:
 
 def _is_one_of_two(part: Noun | None) -> bool:
     """Whether it is "one side" or "the other", which were taken for two that are across from each other."""
-    return part is not None and (part.text.lower().startswith("one ") or part.det == "other")
+    return part is not None and part.text.lower().startswith(("one ", "the other", "the opposite"))
 
 
 def _is_at_wall(bonds: Sequence[Bond]) -> bool:
