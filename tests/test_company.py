@@ -45,7 +45,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A one-room flat with a dining table for two and a sofa", "chair", 2),
         ("A dining room for six with a high chair", "chair", 6),
         ("An art classroom with six tables, stools and a sink", "stool", 24),
-        ("A home library with bookshelves and a desk", "bookcase", 6),
+        ("A home library with bookshelves and a desk", "bookcase", 5),
         ("A barbershop with four chairs, mirrors and a waiting bench", "mirror", 4),
         ("An open office with twelve desks, a printer, a plant and a meeting corner", "conference_table", 1),
         ("A dining room with a high chair and a rug", "chair", 4),

@@ -15,10 +15,12 @@ class Stacks(Value, frozen=True, kw_only=True):
     Attributes:
         things: categories of which one lies on another, separated by commas.
         most: so many at most lie on each other.
+        on: what is stacked with one other thing, and on which.
     """
 
     things: str
     most: int
+    on: dict[str, str]
 
     def is_piled(self, category: str) -> bool:
         """Whether one of these lies on another of them."""
