@@ -57,6 +57,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_it_is_read_by_datasets(dataset: Path) -> None:
     rows = rows_of(dataset, "train")
     assert {"prompt", "completion", "images", "scene", "at", "id", "category", "room", "asked"} <= set(

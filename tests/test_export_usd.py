@@ -219,6 +219,7 @@ def test_joints_rub_and_are_damped_as_in_the_model(stage: Any, physics: tuple[mu
             assert prim.GetAttribute(name).Get() == pytest.approx(value, rel=1e-6), name
 
 
+@pytest.mark.slow
 def test_the_catalogue_can_be_exported(tmp_path: Path) -> None:
     scene = Scene(room=rectangle(30.0, 30.0))
     for number, category in enumerate([name for name, kind in CATALOGUE.items() if not kind.plain][::7]):

@@ -62,6 +62,7 @@ def test_what_dries_lies_on_the_airer_and_a_sponge_on_the_sink():
     assert unmet("A laundry with only a utility sink with a sponge on it and a drying rack with two towels on it") == []
 
 
+@pytest.mark.slow
 def test_what_comes_between_every_two_of_a_row_has_its_gap():
     prompt = "A spa with four recliners in a row and a side table between every two recliners."
     assert unmet(prompt) == []

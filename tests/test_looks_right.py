@@ -14,6 +14,8 @@ from thinkblox.planning import ExpertPlanner, plan_brief, varied
 from thinkblox.reading import read_brief
 from thinkblox.scene.placement import Placement
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def made(prompt: str) -> Generation:

@@ -299,6 +299,7 @@ def test_out_of_reach_is_left_alone() -> None:
     assert len(mended.placements) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("id", "by", "least", "most"),
     [

@@ -25,6 +25,8 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, Room, turn_between
 from thinkblox.scene.surfaces import Covering, Surfaces
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def made(prompt: str) -> Generation:
@@ -162,7 +164,6 @@ def test_the_back_of_a_fireplace_is_of_its_stone():
     assert len({shape.colour for shape in behind}) == 1
 
 
-@pytest.mark.slow
 def test_nothing_stands_under_the_whiteboard():
     room = made("A classroom with a whiteboard and a teacher's desk")
     board = placed(room, "whiteboard")[0]
@@ -224,7 +225,6 @@ def test_a_table_by_the_window_leaves_room_for_those_who_sit_round_it():
     assert all(apart(chair, table) < 0.3 for chair in placed(room, "chair"))
 
 
-@pytest.mark.slow
 def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():
     room = made("A gaming bedroom with two screens and posters")
     for target in room.plan.targets:
@@ -243,7 +243,6 @@ def wall_gap(room: Generation, thing: Placement) -> float:
     return float(room.scene.room.polygon.exterior.distance(thing.footprint))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     ["A hospital ward with four beds in a row"]
@@ -301,7 +300,6 @@ def test_who_serves_has_room_behind_the_counter(prompt, counter):
     assert all(back_gap(room, each) > 0.6 for each in placed(room, counter))
 
 
-@pytest.mark.slow
 def test_a_counter_that_is_asked_to_be_against_the_wall_is():
     room = made("A cafe with a counter against the wall and two tables")
     assert back_gap(room, placed(room, "counter")[0]) < 0.1
@@ -355,7 +353,6 @@ def test_stools_are_at_the_benches_of_a_laboratory():
     assert {t.ties[0].anchors for t in stools} == {("lab_bench_1",), ("lab_bench_2",)}
 
 
-@pytest.mark.slow
 def test_nothing_stands_where_darts_are_thrown():
     room = made("A pub with a bar, six stools, a dart board and a fireplace")
     board = placed(room, "dart_board")[0]
@@ -635,7 +632,6 @@ def test_computers_along_the_walls_stand_on_desks() -> None:
     assert desks <= sat_at
 
 
-@pytest.mark.slow
 def test_an_island_stands_before_the_run_with_its_ways_and_the_table_elsewhere() -> None:
     room = made("A kitchen-diner with a table for four and an island")
     (island,), (table,) = placed(room, "kitchen_island"), placed(room, "kitchen_table")
@@ -675,14 +671,12 @@ def test_a_low_table_stands_before_the_middle_of_a_row_of_chairs() -> None:
     assert abs(min(across) + max(across)) / 2 < 0.6
 
 
-@pytest.mark.slow
 def test_stations_stand_in_line_along_one_wall() -> None:
     tables = placed(made("A barber shop with three chairs"), "dressing_table")
     assert len(tables) == 3
     assert len({p.yaw for p in tables}) == 1
 
 
-@pytest.mark.slow
 def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
     room = made("A teenage girl's bedroom with a vanity and a reading nook")
     for case in placed(room, "bookcase"):
@@ -690,7 +684,6 @@ def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
         assert min(wall.coordinates(corner)[1] for wall in walls for corner in case.corners) < 0.06
 
 
-@pytest.mark.slow
 def test_a_room_whose_size_is_open_is_not_cramped() -> None:
     report = made("A bookshop with a reading corner and a counter").report
     assert report.score is not None
@@ -719,7 +712,6 @@ def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     assert room.report.complete
 
 
-@pytest.mark.slow
 def test_many_desks_stand_in_rows_whatever_else_is_there() -> None:
     room = made("An office with ten desks, two sofas and a kitchenette")
     desks = [p.id for p in placed(room, "desk")]
@@ -742,7 +734,6 @@ def test_what_hangs_on_a_wall_hangs_there_and_rolls_stand_on_its_shelf() -> None
     assert "not so: umbrella_stand_1 on wall" in shortfalls(stand.report)
 
 
-@pytest.mark.slow
 def test_a_screen_is_seen_by_both_who_face_each_other():
     room = made("A living room with two sofas facing each other")
     (screen,) = placed(room, "tv")
@@ -750,7 +741,6 @@ def test_a_screen_is_seen_by_both_who_face_each_other():
     assert min(ahead) > 0.0
 
 
-@pytest.mark.slow
 def test_nightstands_stand_at_the_head():
     room = made("A bedroom with a four-poster bed, a vanity and an armchair")
     (bed,) = placed(room, "bed")
@@ -759,14 +749,12 @@ def test_nightstands_stand_at_the_head():
     assert all(bed.to_local((stand.position[0], stand.position[1]))[0] < 0.0 for stand in stands)
 
 
-@pytest.mark.slow
 def test_what_is_projected_is_before_the_middle_of_the_table():
     room = made("A meeting room for ten")
     (table,), (screen,) = placed(room, "conference_table"), placed(room, "projector_screen")
     assert min(abs(a - b) for a, b in zip(table.position[:2], screen.position[:2], strict=True)) < 0.3
 
 
-@pytest.mark.slow
 def test_a_wall_of_wardrobes_is_one_row():
     room = made("A bedroom with a wall of wardrobes")
     rows = [r for r in room.report.relations if r.kind == "in_rows"]

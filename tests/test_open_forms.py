@@ -23,6 +23,7 @@ def plan(prompt: str) -> Plan:
     return plan_brief(read_brief(prompt), rectangle(6.0, 5.0))
 
 
+@pytest.mark.slow
 def test_what_is_told_to_hold_things_has_room_for_them() -> None:
     for name in HOLDING:
         asset = make_asset(name, seed=0, attributes=(CATALOGUE[name].forms["holds"],))
@@ -124,6 +125,7 @@ def test_a_dresser_holds_things_in_its_drawers() -> None:
     assert all(s.headroom and s.headroom > 0.08 for s in drawers)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "things",
     [

@@ -68,6 +68,7 @@ def test_words_mean_in_a_room_what_they_mean_in_the_wider_one() -> None:
     assert counted(read_brief("A hospital ward with five beds"))["hospital_bed"] == 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     [

@@ -130,6 +130,7 @@ def test_a_model_without_names_is_reported(suite: str) -> None:
     assert run_suite(suite, named).criteria
 
 
+@pytest.mark.slow
 @each_suite
 def test_a_generated_room_passes(suite: str) -> None:
     result = run_suite(suite, _bedroom())

@@ -210,6 +210,7 @@ def test_on_top(prompt: str, thing: str, carrier: str) -> None:
     assert done.report.valid
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     [
@@ -225,6 +226,7 @@ def test_inside(prompt: str) -> None:
     assert holds(room(prompt), "inside")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "prompt",
     [
@@ -297,6 +299,7 @@ def test_what_is_kept_on_a_tall_bookcase_stands_at_hand() -> None:
     assert 0.5 < done.scene["globe_1"].position[2] < 1.6
 
 
+@pytest.mark.slow
 def test_a_sink_under_a_window_stays_on_its_cabinet() -> None:
     done = generate_room(
         "Small L-shaped kitchen with fridge, oven, sink under the window, dishwasher, a toaster and a kettle on the "

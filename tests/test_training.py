@@ -123,6 +123,7 @@ def _files(folder: Path) -> dict[str, tuple[int, bytes]]:
     return {str(f): (f.stat().st_mtime_ns, f.read_bytes()) for f in sorted(folder.rglob("*")) if f.is_file()}
 
 
+@pytest.mark.slow
 def test_a_finished_training_is_left_alone(data: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The same command again changes nothing; a run that was stopped before its model was written writes it alone."""
     from thinkblox.cli import main
@@ -212,6 +213,7 @@ def test_advantages_that_differ_move_the_model(data: str, tmp_path: Path) -> Non
     assert advantages[0] < 0.0 < advantages[1]
 
 
+@pytest.mark.slow
 def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> None:
     """The loss is on all that is said for as many updates as are asked for, and then on the answer alone."""
     from thinkblox.training.models import starting_model

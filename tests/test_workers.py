@@ -189,6 +189,7 @@ class Watched(list[Placement]):
     """Candidates of which it can be told whether anybody holds them."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [0, 1])
 @pytest.mark.parametrize("ask", ["check", "imap"])
 def test_a_job_is_held_no_longer_than_it_is_needed(monkeypatch: pytest.MonkeyPatch, workers: int, ask: str) -> None:
