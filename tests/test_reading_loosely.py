@@ -2,18 +2,10 @@
 
 import pytest
 
+from tests.test_reading_plain_words import _asked
 from tests.test_reading_turns import related
 from thinkblox.brief import Brief, Request
 from thinkblox.reading import read_brief
-
-
-def _asked(brief: Brief) -> str:
-    """What the prompt asks for: "2 chair, 1 desk"."""
-    counts: dict[str, int] = {}
-    for request in brief.requests:
-        if request.asked:
-            counts[request.category] = counts.get(request.category, 0) + request.count
-    return ", ".join(f"{count} {category}" for category, count in sorted(counts.items()))
 
 
 def _of(brief: Brief, category: str) -> Request:

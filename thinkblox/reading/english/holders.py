@@ -17,16 +17,17 @@ def with_holders(chunks: Sequence[Chunk]) -> list[Chunk]:
         if not isinstance(holder, Noun) or not isinstance(content, Noun) or not is_link(made[at - 1], "mark", "comma"):
             continue
         holds = is_link(made[at + 1], "participles", "hold") or is_link(made[at + 1], "prepositions", "with")
-        if holds and (called := _called(holder, content)):
+        single = holder.kind == "thing" and not holder.many
+        if holds and single and (called := called_after(content.value, holder)):
             made[at] = replace(holder, value=called)
     return made
 
 
-def _called(holder: Noun, content: Noun) -> str:
+def called_after(content: str, holder: Noun) -> str:
     """What a general holder of such contents is called; empty where it has no name of its own."""
-    word = holder.text.lower().rpartition(" ")[2]
-    if holder.kind != "thing" or holder.many or word not in grammar().lists["holders"]:
+    words = holder.text.lower().split()
+    if not words or words[-1] not in grammar().lists["holders"]:
         return ""
-    known, found = name_of(holder.text.lower().split()), name_of([*content.value.split("_"), word])
+    known, found = name_of(words), name_of([*content.split("_"), words[-1]])
     general = known is None or known.length == 1
     return (found.name or found.category) if general and found is not None and found.length > 1 else ""

@@ -18,21 +18,19 @@ def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     at = 0
     while at < len(made):
-        if (length := _left(made, at)) and isinstance(noun := made[at + 1], Noun):
-            made[at : at + length] = _said(noun, made[at], made[at + 2])
+        if _is_left(made, at) and isinstance(noun := made[at + 1], Noun):
+            made[at : at + 3] = _said(noun, made[at], made[at + 2])
         elif _is_told(made, at) and isinstance(noun := made[at], Noun):
             made[at : at + 3] = _said(noun, noun, made[at + 2])
         at += 1
     return made
 
 
-def _left(chunks: Sequence[Chunk], at: int) -> int:
-    """How many chunks "leave the shelf empty" has; 0 where it does not come."""
+def _is_left(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "leave the shelf empty" comes."""
     link = chunks[at]
     leaves = isinstance(link, Connector) and link.sort == "verbs" and link.text.lower() in _LEAVING
-    if not leaves or not _is_clear(chunks, at + 2) or not _is_whole(chunks[at + 1]):
-        return 0
-    return 3
+    return leaves and _is_clear(chunks, at + 2) and _is_whole(chunks[at + 1])
 
 
 def _is_told(chunks: Sequence[Chunk], at: int) -> bool:

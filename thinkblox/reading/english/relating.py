@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.holders import called_after
 from thinkblox.reading.english.naming import Naming
 from thinkblox.reading.english.nodes import Meaning
 from thinkblox.reading.english.parts import SIDES
@@ -194,13 +194,9 @@ class Relating(Naming):
     def _call_after_content(self, holder: Mention, content: str) -> None:
         """Take "a rack with test tubes", "umbrellas in the stand" for the rack and the stand that are for these."""
         named = self.named_by.get(holder)
-        words = named.text.lower().split() if named is not None else []
-        if not words or words[-1] not in grammar().lists["holders"] or holder.many:
-            return
-        known = name_of(words)
-        found = name_of([*content.split("_"), words[-1]])
-        if (known is None or known.length == 1) and found is not None and found.length > 1:
-            holder.noun = found.name or found.category
+        called = called_after(content, named) if named is not None and not holder.many else ""
+        if called:
+            holder.noun = called
             for bond in self.draft.bonds_of(holder) if is_small(holder) else ():
                 bond.kind = "on" if bond.implied and bond.kind == "next_to" else bond.kind
 
