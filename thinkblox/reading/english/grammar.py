@@ -1,17 +1,14 @@
-"""The words that hold English sentences together, read from grammar.toml."""
+"""The words that hold English sentences together, from grammar.toml, where "{denying} want" is any word of a list."""
 
-import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache, lru_cache
+from itertools import chain, product
 from pathlib import Path
 from typing import NamedTuple
 
 from thinkblox.reading.tokens import Token, texts
-
-_ANY = re.compile(r"\{(\w+)\}")
-"""In a phrase, any of the words of a list: "{denying} want"."""
 
 
 class Function(NamedTuple):
@@ -75,36 +72,41 @@ def grammar() -> Grammar:
     """The grammar words, read once."""
     data = tomllib.loads((Path(__file__).parent / "grammar.toml").read_text(encoding="utf-8"))
     made = Grammar(lists={name: frozenset(_split(words)) for name, words in data.pop("lists").items()})
-    for sort, value, phrase in _phrases(data, made.lists):
-        key = texts(phrase)
-        made.sorts.add(sort)
-        made.begun.setdefault(key[0], set()).add(sort)
-        made.phrases.setdefault(key, []).append((sort, value))
-        made.prefixes.update(key[:end] for end in range(1, len(key)))
+
+    @cache
+    def meant(word: str) -> list[tuple[str, ...]]:
+        if not word.startswith("{"):
+            return [texts(word)]
+        return [key for said in sorted(made.lists[word[1:-1]]) for key in spelt(said)]
+
+    def spelt(phrase: str) -> Iterator[tuple[str, ...]]:
+        return (tuple(chain.from_iterable(parts)) for parts in product(*map(meant, phrase.split())))
+
+    for sort, value, phrase in _phrases(data):
+        for key in spelt(phrase):
+            _add(made, sort, value, key)
     return made
 
 
-def _phrases(
-    data: Mapping[str, Mapping[str, str]], lists: Mapping[str, frozenset[str]]
-) -> Iterator[tuple[str, str, str]]:
+def _add(made: Grammar, sort: str, value: str, key: tuple[str, ...]) -> None:
+    made.sorts.add(sort)
+    made.begun.setdefault(key[0], set()).add(sort)
+    made.phrases.setdefault(key, []).append((sort, value))
+    for end in range(len(key) - 1, 0, -1):
+        if key[:end] in made.prefixes:
+            return
+        made.prefixes.add(key[:end])
+
+
+def _phrases(data: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, str, str]]:
     for sort, section in data.items():
         for value, phrases in section.items():
-            for phrase in (spelt for said in _split(phrases) for spelt in _spelt(said, lists)):
+            for phrase in _split(phrases):
                 if sort == "numbers":
                     number, _, words = phrase.partition(" ")
                     yield value, number, words
                 else:
                     yield sort, value, phrase
-
-
-def _spelt(phrase: str, lists: Mapping[str, frozenset[str]]) -> Iterator[str]:
-    """The phrase with every word of the lists that it names."""
-    named = _ANY.search(phrase)
-    if named is None:
-        yield phrase
-        return
-    for word in sorted(lists[named[1]]):
-        yield from _spelt(phrase[: named.start()] + word + phrase[named.end() :], lists)
 
 
 def _split(phrases: str) -> Iterator[str]:
