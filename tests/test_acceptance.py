@@ -11,7 +11,7 @@ from tests.bench.rooms import PROMPTS, Row, run
 @pytest.mark.parametrize("seed", [0, 1])
 def test_every_prompt_is_placed_related_and_still(tmp_path: Path, seed: int) -> None:
     prompts = PROMPTS.read_text().splitlines()
-    rows = [run((prompt, seed, tmp_path / str(number))) for number, prompt in enumerate(prompts)]
+    rows = [run((prompt, seed, "essentials", tmp_path / str(number))) for number, prompt in enumerate(prompts)]
     done = [row for row in rows if isinstance(row, Row)]
     assert len(done) == len(prompts) == 22
     assert all(row.listed for row in done)

@@ -1,6 +1,6 @@
 """How well the main job is done: every prompt of prompts.txt, several seeds, re-read by plain MuJoCo.
 
-python -m tests.bench.rooms [--seeds N] [--prompts FILE] [--save DIR]
+python -m tests.bench.rooms [--seeds N] [--prompts FILE] [--fill named|essentials|lived-in] [--save DIR]
 """
 
 import argparse
@@ -13,8 +13,10 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from typing import get_args
 
 from thinkblox.errors import InputError
+from thinkblox.fills import Fill
 
 PROMPTS = Path(__file__).with_name("prompts.txt")
 
@@ -29,6 +31,7 @@ class Row:
     asked: int
     placed: int
     listed: bool
+    objects: int
     relations: int
     hold: int
     valid: bool
@@ -38,15 +41,15 @@ class Row:
     faults: tuple[str, ...]
 
 
-def run(job: tuple[str, int, Path]) -> Row | str:
+def run(job: tuple[str, int, Fill, Path]) -> Row | str:
     """Generate, write without pictures, and read the files back."""
-    prompt, seed, out = job
+    prompt, seed, fill, out = job
     from thinkblox.generate import generate_room
     from thinkblox.saving import save_room
 
     start = time.perf_counter()
     try:
-        result = generate_room(prompt, seed=seed)
+        result = generate_room(prompt, seed=seed, fill=fill)
     except InputError as error:
         return f"{prompt[:50]}: {error}"
     save_room(result, out, pictures=False, overwrite=True)
@@ -68,6 +71,7 @@ def run(job: tuple[str, int, Path]) -> Row | str:
         len(asked) + missing,
         len(placed),
         all(t.id in result.scene or t.id in absent for t in result.plan.targets),
+        len(result.scene.placements),
         len(result.report.relations),
         sum(r.holds for r in result.report.relations),
         result.report.valid,
@@ -106,6 +110,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--prompts", type=Path, default=PROMPTS)
+    parser.add_argument("--fill", choices=get_args(Fill), default="essentials")
     parser.add_argument("--save", type=Path)
     parser.add_argument("--workers", type=int, default=2)
     arguments = parser.parse_args()
@@ -113,7 +118,8 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as scratch:
         home = arguments.save or Path(scratch)
         home.mkdir(parents=True, exist_ok=True)
-        jobs = [(p, s, home / f"{n:02d}-{s}") for n, p in enumerate(prompts, 1) for s in range(arguments.seeds)]
+        seeds, fill = range(arguments.seeds), arguments.fill
+        jobs = [(p, s, fill, home / f"{n:02d}-{s}") for n, p in enumerate(prompts, 1) for s in seeds]
         with ProcessPoolExecutor(arguments.workers) as pool:
             results = list(pool.map(run, jobs))
     for result in results:
@@ -125,11 +131,11 @@ def main() -> int:
 
 def report(rows: list[Row]) -> None:
     """Print the table."""
-    print(f"{'prompt':42} seed  placed  relations  depth mm  drift mm  tilt deg  valid     s")
+    print(f"{'prompt':42} seed  placed  objects  relations  depth mm  drift mm  tilt deg  valid     s")
     for r in rows:
         relations = f"{r.hold}/{r.relations}"
         print(
-            f"{r.prompt[:42]:42} {r.seed:4d} {r.placed:3d}/{r.asked:<3d} {relations:>9}  {r.depth:8.3f}  {r.drift:8.3f}"
+            f"{r.prompt[:42]:42} {r.seed:4d} {r.placed:3d}/{r.asked:<3d} {r.objects:8d} {relations:>9}  {r.depth:8.3f}  {r.drift:8.3f}"
             f"  {r.tilt:8.3f}  {'yes' if r.valid else 'NO':>5} {r.seconds:5.2f}"
         )
         for fault in r.faults:
@@ -142,6 +148,8 @@ def report(rows: list[Row]) -> None:
     worst = [max(getattr(r, name) for r in rows) for name in ("depth", "drift", "tilt")]
     print("deepest contact {:.3f} mm; largest motion in 5 s {:.3f} mm, {:.3f} degrees".format(*worst))
     print(f"valid {sum(r.valid for r in rows)} of {len(rows)} rooms")
+    objects = sorted(r.objects for r in rows)
+    print(f"objects a room: {objects[0]} to {objects[-1]}, median {objects[len(objects) // 2]}")
     seconds = sorted(r.seconds for r in rows)
     print(f"seconds a room: median {seconds[len(seconds) // 2]:.2f}, longest {seconds[-1]:.2f}")
     print(
