@@ -135,8 +135,8 @@ def report(rows: list[Row]) -> None:
     for r in rows:
         relations = f"{r.hold}/{r.relations}"
         print(
-            f"{r.prompt[:42]:42} {r.seed:4d} {r.placed:3d}/{r.asked:<3d} {r.objects:8d} {relations:>9}  {r.depth:8.3f}  {r.drift:8.3f}"
-            f"  {r.tilt:8.3f}  {'yes' if r.valid else 'NO':>5} {r.seconds:5.2f}"
+            f"{r.prompt[:42]:42} {r.seed:4d} {r.placed:3d}/{r.asked:<3d} {r.objects:8d} {relations:>9}  {r.depth:8.3f}"
+            f"  {r.drift:8.3f}  {r.tilt:8.3f}  {'yes' if r.valid else 'NO':>5} {r.seconds:5.2f}"
         )
         for fault in r.faults:
             print(f"      {fault}")
