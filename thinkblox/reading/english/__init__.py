@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.abilities import with_abilities
+from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.asides import with_asides
@@ -106,13 +107,14 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_tasks,
         with_rough,
         with_all_but,
+        with_all_alike,
         with_holders,
         with_passing,
         with_denied_places,
         with_kept_clear,
         with_switched,
-        with_bare_places,
         with_top_sides,
+        with_bare_places,
         with_stacked_pairs,
         with_noughts,
         with_nothing_else,

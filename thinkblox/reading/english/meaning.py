@@ -104,6 +104,7 @@ class Meanings:
             return None
         if meaning.kind == "above" and self._is_draped(where, subjects, noun, meaning):
             meaning.kind = "on"
+        meaning.loose |= meaning.kind == "on" and where.text.lower().startswith("inside")
         said = where.whole or where.noun
         meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
         return meaning
@@ -369,6 +370,9 @@ class Meanings:
             return replace(meaning, kind="facing") if where.word == "facing" else meaning
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
+        if where.word == "above":
+            loose = said.value not in ("head", "middle", "top")
+            return Meaning("above", meaning.anchors, each=meaning.each, told=meaning.told, loose=loose)
         loose, self.guessed = self.guessed, False
         both = _are_both(said)
         times = 2 if said.det == "each" or where.word == "per" else 1

@@ -39,8 +39,13 @@ class Listed:
 
     def last_joined(self) -> list[Mention]:
         """The single things that "and" joined last: "a bench and a sofa"; empty where one of them is several."""
+        last = self.last_listed()
+        return last if not any(thing.many for thing in last) else []
+
+    def last_listed(self) -> list[Mention]:
+        """The things that "and" joined last, single ones and several: "a sofa and two armchairs"."""
         last = self.members[self.begun : self.joined + 1] if self.joined == len(self.members) - 1 else []
-        return last if len(last) > 1 and not any(thing.many for thing in last) else []
+        return last if len(last) > 1 else []
 
 
 @dataclass(eq=False)

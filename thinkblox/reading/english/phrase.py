@@ -122,6 +122,8 @@ class PhraseReader(Heads):
         if noun.ordinal and noun.det == "a" and self._text(at, at + 1) == "," and self._is_plain_adjective(at + 1):
             at, noun.ordinal = at + 1, 0
         self.group = noun.det in ("all", "both", "other", "half", "none")
+        if noun.det in ("all", "both") and self._is_finish(at):
+            return self._finished(Noun("pronoun", "all", noun.start, at, det=noun.det))
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
         units = Units()
@@ -139,6 +141,15 @@ class PhraseReader(Heads):
             look.plural = noun.det == "other" and (noun.count or 1) > 1
             return self._finished(look)
         return self._finished(noun)
+
+    def _is_finish(self, at: int) -> bool:
+        """Whether "painted white" ends there, which says what those before look like: "all painted white"."""
+        if at >= len(self.tokens) or self.tokens[at].text not in grammar().lists["finished"]:
+            return False
+        end = at + 1
+        while end < len(self.tokens) and self._is_plain_adjective(end):
+            end += 1
+        return end > at + 1 and (end >= len(self.tokens) or self.tokens[end].kind == "mark")
 
     def _is_only_a_look(self, noun: Noun) -> bool:
         """Whether "one is orange", "the other two orange" says which colour they have, and asks for no fruit."""
@@ -359,11 +370,21 @@ class PhraseReader(Heads):
         single = noun.count == 1 or (noun.count is None and noun.det in ("a", "each", "another"))
         again = noun.count is None and noun.det in ("the", "my")
         again &= self._is_said_before(at, verb) or self._is_whole_clause(noun.start, verb)
-        if not (single or again) or grammar().at(self.tokens, verb, "verbs") is None:
+        joined = noun.count is None and not noun.det and self._is_joined_to_one(noun.start, verb)
+        if not (single or again or joined) or grammar().at(self.tokens, verb, "verbs") is None:
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")
         return Known(entry, shorter.length) if entry is not None else known
+
+    def _is_joined_to_one(self, start: int, verb: int) -> bool:
+        """Whether it ends the subject of a clause: "A cart with a monitor and keyboard | stands by the door."."""
+        marks = (n + 1 for n in range(start - 1, -1, -1) if self.tokens[n].kind == "mark")
+        before = range(next(marks, 0), start)
+        if len(before) < 2 or self.tokens[start - 1].text != "and" or not self._is_whole_clause(before[0], verb):
+            return False
+        last = self.tokens[start - 2].text
+        return singular(last) == last and not any(grammar().at(self.tokens, n, "verbs") for n in before)
 
     def _is_whole_clause(self, start: int, verb: int) -> bool:
         """Whether a clause begins at `start` that has no other verb: "The piano stands opposite the sofa."."""

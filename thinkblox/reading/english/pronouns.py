@@ -54,13 +54,19 @@ class Pronouns(Numbers):
         members = [t for t in self.clause.members if t in self.draft.things]
         parts = [t for member in members for t in self.referents.family(member)]
         things = list(dict.fromkeys(parts)) if noun.text.lower() == "all" else members
+        things = [thing for thing in things if thing is not self._looked_at()] if len(things) > 1 else things
         if things:
             self.frontier = [Node(things, self.clause, known=True)]
             self.separator = ""
             self.each |= any(thing.many for thing in things)
         elif self._is_link(self.peek(), "verbs"):
-            self._resume(list(self.referents.several([], "")), noun)
-            self.each = bool(self.frontier)
+            self._resume(self.referents.listed or list(self.referents.several([], "")), noun)
+            self.each = any(thing.many for node in self.frontier for thing in node.things)
+
+    def _looked_at(self) -> Mention | None:
+        """The television of "a TV and two sofas, all facing the TV"."""
+        said = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        return self.referents.named(said) if said is not None and said.kind == "thing" and said.det == "the" else None
 
     def _rest_of_named(self) -> Mention | None:
         """What "all but one of the chairs" are; goes past it."""

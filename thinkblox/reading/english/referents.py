@@ -38,6 +38,7 @@ class Referents:
         topics: what clauses were about, the latest last.
         pairs: things that were just related or joined.
         joined: the single things that "and" joined last in the clause before.
+        listed: the things of which one or several are that "and" joined last in the clause before.
         two: the former and the latter, once they were spoken of as that.
         parted: what is left of several of which some were set apart.
         left: the same once the sentence has ended, until more is told of it.
@@ -54,6 +55,7 @@ class Referents:
         self.parted: Mention | None = None
         self.left: Mention | None = None
         self.joined: list[Mention] = []
+        self.listed: list[Mention] = []
         self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
         self.shared: set[Mention] = set()

@@ -130,6 +130,7 @@ class State(Namer):
                 self._lose_where(front.where)
         if self.clause.members:
             self.referents.joined = self.clause.last_joined() or self._joined_within()
+            self.referents.listed = self.clause.last_listed()
         self.frontier: list[Node] = []
         self.front = []
         self.clause = Listed()

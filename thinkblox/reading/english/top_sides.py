@@ -1,4 +1,4 @@
-"""Corners and far ends that are of a thing and not of the room: "at its far left", "in the left corner of the desk"."""
+"""Corners and far ends that are of a thing and not of the room: "at its far left", "the far end of the table"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,22 +10,49 @@ _SIDES = {"left_wall": "left", "right_wall": "right", "far_wall": "back", "near_
 
 
 def with_top_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which a corner of the room that is said to be of a thing is a part of that thing."""
-    return [
-        _part(chunk) if isinstance(chunk, Noun) and _is_of_thing(chunk, chunks[at + 1 : at + 3]) else chunk
-        for at, chunk in enumerate(chunks)
-    ]
+    """Chunks in which a corner or an end of the room that is said to be of a thing is a part of that thing."""
+    found: list[Chunk] = []
+    for at, chunk in enumerate(chunks):
+        owner = found[-1] if found else None
+        if isinstance(chunk, Noun) and _is_end(chunk) and isinstance(owner, Noun) and _owns(owner, chunk):
+            found[-1] = replace(_end(chunk), start=owner.start, det=owner.det, owner=owner.value)
+        elif isinstance(chunk, Noun) and _is_corner(chunk) and _is_of_thing(chunk, chunks[at + 1 : at + 3]):
+            found.append(_corner(chunk))
+        elif isinstance(chunk, Noun) and _is_end(chunk) and _is_of_thing(chunk, chunks[at + 1 : at + 3]):
+            found.append(_end(chunk))
+        else:
+            found.append(chunk)
+    return found
+
+
+def _is_corner(place: Noun) -> bool:
+    return place.kind == "place" and place.value.startswith("corner") and not (place.each or place.plural)
+
+
+def _is_end(place: Noun) -> bool:
+    """Whether it is "the far end", which is of the room unless it is said to be of something else."""
+    return place.kind == "place" and place.value in _SIDES and place.called.split()[-1] in ("end", "side")
 
 
 def _is_of_thing(place: Noun, after: Sequence[Chunk]) -> bool:
-    if place.kind != "place" or not place.value.startswith("corner") or place.each or place.plural:
-        return False
     whole = after[1] if len(after) > 1 and is_link(after[0], "prepositions", "of") else None
     return place.det == "my" or (isinstance(whole, Noun) and whole.kind in ("thing", "pronoun"))
 
 
-def _part(place: Noun) -> Noun:
+def _owns(owner: Noun, place: Noun) -> bool:
+    """Whether a place is of the thing right before it: "the table's | far end"."""
+    return owner.kind == "thing" and owner.end == place.start and owner.text.endswith(("'s", "'"))
+
+
+def _corner(place: Noun) -> Noun:
     sides = [_SIDES.get(wall, "") for wall in place.value.split()[1:]]
     if place.called.startswith("far ") and place.called.split()[-1] in ("left", "right"):
         sides = sides[1:]
     return replace(place, kind="part", value=" ".join(sides) if sides and all(sides) else "corner", material="")
+
+
+def _end(place: Noun) -> Noun:
+    """One of the ends of something, or its side; which of them is the far one nobody can tell."""
+    last = place.called.split()[-1]
+    value = _SIDES[place.value] if place.value in ("left_wall", "right_wall") else last
+    return replace(place, kind="part", value=value, count=1 if value == "end" else None, material="")

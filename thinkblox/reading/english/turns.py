@@ -9,6 +9,7 @@ _LONGEST_TURN = 40
 """Most tokens of a turn that goes on to the end of a clause."""
 _PLACING = ("let", "put", "place", "move", "have", "make", "set", "hang", "turn")
 """Orders after which it is told where something is to be."""
+_IT = ("it", "them")
 _STOPS = ".;!?)\n"
 _AFTER = ("and", "but", "or", "oh", "well", "then", "now", "please")
 
@@ -62,12 +63,20 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
         end = _until(tokens, at, sentence=False)
         said = next((i for i in range(at, at + end) if tokens[i].text in grammar().lists["supposing"]), None)
         if said is None:
-            return 0
+            return end if _is_place_of_it(tokens, at, at + end) else 0
         being = (i for i in range(said, at + end) if tokens[i].text in ("be", "stand", "go"))
         return next(being, at + end - 1) + 1 - at
     if tokens[at].text in ("out", "of", "in") and (length := _of_every(tokens, at)):
         return length
     return 0
+
+
+def _is_place_of_it(tokens: Sequence[Token], start: int, end: int) -> bool:
+    """Whether it is told what a place is good for: "where the pupils can see it", "where it gives good light"."""
+    if end - start < len(("where", "it", "shines")):
+        return False
+    reached = tokens[end - 1].text in _IT and grammar().at(tokens, end - 2, "prepositions") is None
+    return tokens[start + 1].text in _IT or reached
 
 
 def _is_filler(tokens: Sequence[Token], at: int, length: int) -> bool:

@@ -1,0 +1,90 @@
+"""What all of a list look like and face, ends of tops, and where a thing is to be without the word for a place."""
+
+import pytest
+
+from tests.test_reading_turns import related
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("Two armchairs and a sofa, all red.", "2 armchair red, 1 sofa red"),
+        ("Two armchairs and a sofa, all of them red.", "2 armchair red, 1 sofa red"),
+        ("A sofa and an armchair, both made of leather.", "1 sofa leather, 1 armchair leather"),
+        ("A table, six chairs and a cabinet, all oak.", "1 dining_table oak, 6 chair oak, 1 cabinet oak"),
+        (
+            "A table, six chairs and a cabinet, all painted white.",
+            "1 dining_table white, 6 chair white, 1 cabinet white",
+        ),
+        ("A table and six chairs. All of them are made of oak.", "1 dining_table oak, 6 chair oak"),
+        ("A room with a sofa, all red.", "1 sofa red"),
+        ("A bed with all white pillows.", "1 bed, 2 pillow white"),
+    ],
+)
+def test_all_of_a_list_look_as_is_said_of_all(prompt: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    found = {" ".join([str(r.count), r.category, *r.attributes]) for r in brief.requests if r.asked}
+    assert found == set(asked.split(", "))
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A TV and three sofas, all facing the TV.", "3 sofa facing tv"),
+        ("A counter, five stools and a jukebox, all facing the counter.", "1 jukebox facing counter"),
+        ("Two desks pushed together front to front.", "2 desk facing desk, 2 desk next_to desk"),
+        (
+            "A long table. A vase stands at the far end of the table.",
+            "1 vase on dining_table, 1 vase left_of dining_table",
+        ),
+        ("A long table. A vase stands on the table's far end.", "1 vase on dining_table, 1 vase left_of dining_table"),
+        ("A long table. A vase at its far end.", "1 vase left_of dining_table"),
+        ("A long table. A chair stands at the far end of the table.", "1 chair at_short_side dining_table"),
+        ("A sofa at the far end of the room.", "1 sofa against_wall far_wall"),
+        ("A bed. A nightstand on the far side of the bed.", "1 nightstand next_to bed"),
+        ("A bed. A picture hangs over the head of the bed.", "1 picture above bed"),
+        ("A sofa and a lamp within arm's reach of it.", "1 floor_lamp near sofa"),
+        (
+            "A couch. A tissue box within reach of the couch on a side table.",
+            "1 tissue_box near sofa, 1 tissue_box on side_table",
+        ),
+        ("A deli with a glass counter with four steaks inside.", "4 steak inside display_case"),
+        (
+            "An office. A cart with a monitor and keyboard stands by the window.",
+            "1 keyboard on serving_trolley, 1 serving_trolley next_to window",
+        ),
+    ],
+)
+def test_what_is_said_of_where_things_are_is_related(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert set(relations.split(", ")) <= set(related(brief))
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said", "asked"),
+    [
+        ("A long table. A lamp hangs over one end of the table.", "over one end of the table", "pendant_lamp"),
+        ("A table. A projector hangs over the table's far end.", "over the table's far end", "ceiling_projector"),
+        ("A school hall. A clock hangs where the pupils can see it.", "where the pupils can see it", "clock"),
+        ("A desk and a lamp where it gives good light.", "where it gives good light", "desk_lamp"),
+        ("A desk. A book is inside the desk.", "inside the desk", "book"),
+    ],
+)
+def test_a_place_that_nobody_follows_is_told_and_makes_nothing(prompt: str, said: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    assert said in brief.unknown
+    assert [r.count for r in brief.requests if r.category == asked] == [1]
+    assert len([r for r in brief.requests if r.asked]) <= 2
+
+
+def test_stands_after_what_is_made_of_two_words_may_still_be_a_thing() -> None:
+    brief = read_brief("A shop with two lamps and plant stands by the window.")
+    assert [r.category for r in brief.requests if r.asked] == ["floor_lamp", "plant_stand"]
+
+
+@pytest.mark.parametrize("prompt", ["A bedroom with a desk where she reads.", "An office where three people work."])
+def test_what_people_do_somewhere_asks_for_nothing(prompt: str) -> None:
+    assert read_brief(prompt).unknown == ()
