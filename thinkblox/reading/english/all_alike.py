@@ -1,4 +1,4 @@
-"""What all of a list look like: "a table and four chairs, all white", "a sofa and an armchair, both made of leather"."""
+"""What all of a list look like: "a table and four chairs, all white", "a sofa and a bench, both made of leather"."""
 
 from collections.abc import Sequence
 

@@ -371,8 +371,13 @@ class Meanings:
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
         if where.word == "above":
-            loose = said.value not in ("head", "middle", "top")
-            return Meaning("above", meaning.anchors, each=meaning.each, told=meaning.told, loose=loose)
+            return replace(meaning, kind="above", loose=said.value not in ("head", "middle", "top"))
+        return self._at_part(where, said, subjects, noun, meaning, whole)
+
+    def _at_part(
+        self, where: Where, said: Noun, subjects: list[Mention], noun: str, meaning: Meaning, whole: Mention
+    ) -> Meaning | None:
+        """How what is at a part of a thing stands to it."""
         loose, self.guessed = self.guessed, False
         both = _are_both(said)
         times = 2 if said.det == "each" or where.word == "per" else 1
