@@ -42,6 +42,7 @@ def _sided(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at in range(len(made) - 2, -1, -1):
         said, part = made[at], _side_after(made, at)
         some = isinstance(said, Noun) and said.kind in ("number", "pronoun") and said.det == "the" and said.count
+        some = some and any(isinstance(c, Noun) and c.kind == "thing" and c.many for c in made[:at])
         on = made[at + 1]
         if not some or part is None or not isinstance(said, Noun) or not _is(on, "prepositions") or part.det == "my":
             continue

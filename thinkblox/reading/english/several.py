@@ -140,7 +140,7 @@ class Several(Boundaries):
         at: dict[str, list[Mention]] = {"left": [], "right": []}
         for bond in self.draft.bonds:
             side = bond.kind.removesuffix("_of")
-            side = side if bond.anchors[:1] not in _SIDE_WALLS else _SIDE_WALLS[bond.anchors[:1]]
+            side = _SIDE_WALLS.get(bond.anchors[:1], side)
             if side in at and not bond.negated and bond.subject.asked and bond.subject not in besides:
                 at[side].append(bond.subject)
         here = [t for t in at.get(noun.side, ()) if (t.count or 1) == (noun.count or 1)]
