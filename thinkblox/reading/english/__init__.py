@@ -38,7 +38,7 @@ from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
-from thinkblox.reading.english.tasks import with_tasks
+from thinkblox.reading.english.tasks import with_goals, with_tasks
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -103,6 +103,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_goals,
         with_tasks,
         with_rough,
         with_all_but,

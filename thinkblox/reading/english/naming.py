@@ -122,7 +122,7 @@ class Naming(Several):
         if thing.noun == noun.value and named.each:
             return several and not (noun.attributes or noun.unshown)
         alike = thing.noun == noun.value or last_word(thing) == noun.word
-        if not alike or named.det != "the" or thing.count not in (None, 1) or named.unshown:
+        if not alike or named.det != "the" or thing.count not in (None, 1, noun.count) or named.unshown:
             return False
         if is_tasked(self.cut, named):
             return named.plural == noun.plural and {*named.attributes} <= {*noun.attributes}
