@@ -8,10 +8,12 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
 from thinkblox.reading.english.bare_places import with_bare_places
 from thinkblox.reading.english.booths import with_booths
+from thinkblox.reading.english.broken_off import with_broken_off
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
@@ -103,6 +105,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_broken_off,
+        with_apposed,
         with_goals,
         with_tasks,
         with_rough,
