@@ -17,7 +17,7 @@ def told(prompt: str) -> tuple[dict[str, int], set[str]]:
     ("prompt", "things", "relations"),
     [
         (
-            "The robot must put the three cans into the bin. Three soda cans lie on the floor. The bin stands by the door.",
+            "The robot must put the three cans into the bin. Three soda cans lie on the floor. The bin is by the door.",
             {"soda_can": 3, "waste_bin": 1},
             {"soda_can on floor", "waste_bin next_to door"},
         ),

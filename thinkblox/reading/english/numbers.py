@@ -393,7 +393,7 @@ class Numbers(Verbs):
             return
         same = whole.count is not None and count * times == whole.count and whole is not self.summed
         if same and whole is not self.referents.parted:
-            self._resume([whole], noun or Noun("number", "", 0, 0))
+            self._resume([whole], noun or Noun("number", "", -1, -1))
             self.counted.add(whole)
             return
         self.referents.settle(whole)

@@ -61,6 +61,9 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
             made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
             made.append(Adjective(chunks[at + 1].start, chunks[at + 1].end, "free", states=["free"]))
             at += 2
+        elif isinstance(chunk, Connector) and _is_seated_on(chunks, at):
+            made += [chunk, chunks[at + 1], replace(chunk, sort="joins", value="and"), replace(chunk, value="have")]
+            at += 2
         elif isinstance(chunk, Connector) and _is_leant_on(chunks, at):
             made.append(replace(chunk, value="next_to"))
         else:
@@ -134,6 +137,14 @@ def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
     denied = is_link(chunks[at], "negations", "not", "exclude")
     blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
     return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
+
+
+def _is_seated_on(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "seats six on two benches" comes: so many are seated, and it has two benches."""
+    number, link, seats = (*chunks[at + 1 : at + 4], None, None, None)[:3]
+    counted = isinstance(number, Noun) and number.kind == "number" and bool(number.count)
+    seated = is_link(chunks[at], "verbs", "seat") and counted and is_link(link, "prepositions", "on", "with")
+    return seated and isinstance(seats, Noun) and seats.kind == "thing" and not seats.definite
 
 
 def _is_leant_on(chunks: Sequence[Chunk], at: int) -> bool:
