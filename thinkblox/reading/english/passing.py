@@ -34,7 +34,7 @@ def _is_owning(tokens: Sequence[Token], at: int) -> bool:
 def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which it is told of the things themselves, or said not to be understood."""
     made: list[Chunk] = []
-    at = 0
+    chunks, at = _seated(chunks), 0
     while at < len(chunks):
         chunk = chunks[at]
         if _is_own_door(chunks, at):
@@ -60,9 +60,6 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif _is_in_way(chunks, at):
             made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
             made.append(Adjective(chunks[at + 1].start, chunks[at + 1].end, "free", states=["free"]))
-            at += 2
-        elif isinstance(chunk, Connector) and _is_seated_on(chunks, at):
-            made += [chunk, chunks[at + 1], replace(chunk, sort="joins", value="and"), replace(chunk, value="have")]
             at += 2
         elif isinstance(chunk, Connector) and _is_leant_on(chunks, at):
             made.append(replace(chunk, value="next_to"))
@@ -137,6 +134,15 @@ def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
     denied = is_link(chunks[at], "negations", "not", "exclude")
     blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
     return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
+
+
+def _seated(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "seats six and has two benches" for "seats six on two benches"."""
+    made = list(chunks)
+    for at, chunk in enumerate(chunks):
+        if isinstance(chunk, Connector) and _is_seated_on(chunks, at):
+            made[at + 2] = replace(chunk, sort="verbs", value="have")
+    return made
 
 
 def _is_seated_on(chunks: Sequence[Chunk], at: int) -> bool:
