@@ -42,3 +42,18 @@ def test_told_once(prompt: str, things: dict[str, int], relations: set[str]) -> 
 def test_what_is_taken_back_is_not_made() -> None:
     brief = read_brief("A butcher shop with a counter. Cold-room door... skip that. A stool by the door.")
     assert {r.category for r in brief.requests if r.asked} == {"counter", "stool"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        ("An office with two lamps, both on a desk.", {"desk_lamp": 2, "desk": 1}, {"desk_lamp on desk"}),
+        (
+            "Six lockers. The bench in front of the lockers has a towel on it and two bags underneath.",
+            {"locker": 6, "bench": 1, "towels": 1, "handbag": 2},
+            {"bench in_front_of locker", "towels on bench", "handbag under bench"},
+        ),
+    ],
+)
+def test_one_thing_for_all_that_is_told(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
