@@ -55,7 +55,8 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
             if isinstance(thing, Noun):
                 words = " ".join((looks.text, thing.text.split()[-1]))
                 told = [*thing.attributes, *looks.attributes]
-                made.append(replace(thing, start=looks.start, attributes=told, text=f"the {words}"))
+                looked = [*looks.attributes]
+                made.append(replace(thing, start=looks.start, attributes=told, looks=looked, text=f"the {words}"))
             at += _FOR
         elif _is_in_way(chunks, at):
             made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
