@@ -32,3 +32,14 @@ def test_all_that_each_has_is_counted(prompt: str, category: str, count: int) ->
     brief = read_brief(prompt)
     assert brief.request(category).count == count
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    "prompt", ["Three toy trucks on the rug, one behind the other.", "Toy trucks: three, in single file."]
+)
+def test_one_behind_the_other(prompt: str) -> None:
+    brief = read_brief(prompt)
+    behind = [(r.subject, *r.anchors) for r in brief.relations if r.kind == "behind"]
+    assert behind == [("toy_truck-2", "toy_truck"), ("toy_truck-3", "toy_truck-2")]
+    assert all(r.count == 1 for r in brief.requests if r.category == "toy_truck")
+    assert not brief.unknown
