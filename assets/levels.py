@@ -205,6 +205,8 @@ def _most_cells(inside: NDArray[np.bool_], width: float, height: float) -> tuple
 def room_under(links: Sequence[Link], height: float) -> tuple[float, float] | None:
     """Depth and width of the largest place on the floor under a thing for what is so high [m]; None for none."""
     solids = _solids(links)
+    if not solids:  # a rug is only seen
+        return None
     low = [s.outline for s in solids if s.low < height]
     x0, y0, x1, y1 = shapely.union_all([s.outline for s in solids]).bounds
     area = _largest_rectangle(shapely.box(x0, y0, x1, y1).difference(shapely.union_all(low)))

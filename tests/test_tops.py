@@ -326,3 +326,7 @@ def test_nothing_that_nobody_asked_for_lies_on_top_of_a_tall_bookcase() -> None:
     tall = {p.id for p in done.scene.placements if p.category == "bookcase" and p.top > 1.7}
     assert tall
     assert all(p.position[2] < done.scene[p.support].top - 0.1 for p in done.scene.placements if p.support in tall)
+
+
+def test_nothing_stands_under_what_is_only_seen() -> None:
+    assert room_under(make_asset("rug", seed=0).links, 0.01) is None

@@ -9,10 +9,12 @@ from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
+from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
 from thinkblox.reading.english.bare_places import with_bare_places
 from thinkblox.reading.english.booths import with_booths
+from thinkblox.reading.english.broken_off import with_broken_off
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
@@ -39,7 +41,7 @@ from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
-from thinkblox.reading.english.tasks import with_tasks
+from thinkblox.reading.english.tasks import with_goals, with_tasks
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -104,6 +106,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_broken_off,
+        with_apposed,
+        with_goals,
         with_tasks,
         with_rough,
         with_all_but,

@@ -10,6 +10,7 @@ from thinkblox.reading.english.said import is_link
 
 _NO_PLACE = ("with", "of", "for")
 _BESIDE = ("in_front_of", "behind", "next_to", "around", "left_of", "right_of", "at")
+_UNDER_OR_OVER = ("under", "above", "behind", "in", "inside", "next_to")
 _ITEMS = 3
 _OTHERS = ("the other two", "the others", "the other ones")
 
@@ -22,6 +23,8 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
         made.append(chunk)
         if isinstance(chunk, Noun) and _is_other_of_two(chunks, at):
             made[-1] = replace(chunk, det="another", count=1)
+        elif isinstance(chunk, Connector) and _is_of_it_too(chunks, at):
+            made.append(Noun("pronoun", "it", chunk.start, chunk.end, "it"))
         elif isinstance(chunk, Connector) and _is_before_filler(chunks, at):
             made[-1] = replace(chunk, sort="fillers", value="words")
         elif isinstance(chunk, Connector) and _is_for_what_lies_there(chunks, at):
@@ -35,6 +38,18 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
             elif chunk.text.lower() in _OTHERS and is_link(chunks[at - 1], "prepositions", "between"):
                 made[-1:] = _other_two(chunks, at) or [chunk]
     return made
+
+
+def _is_of_it_too(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "underneath" comes in "has a lamp on it and a bin underneath", which is under the same thing."""
+    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    ends = after is None or is_link(after, "mark") or is_link(after, "joins")
+    if not ends or at < _ITEMS or not is_link(chunks[at], "prepositions", *_UNDER_OR_OVER):
+        return False
+    it, joint, thing = chunks[at - 3 : at]
+    joined = is_link(joint, "joins", "and") and isinstance(thing, Noun) and thing.kind == "thing"
+    placed = at > _ITEMS and is_link(chunks[at - 4], "prepositions")
+    return joined and placed and isinstance(it, Noun) and it.kind == "pronoun" and it.value == "it"
 
 
 def _is_told_anew(chunks: Sequence[Chunk], at: int) -> bool:

@@ -5,6 +5,7 @@ from itertools import pairwise
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.catalogue import GENERAL_WORDS
 from thinkblox.assets.palette import COLOURS, without_general
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
@@ -12,6 +13,7 @@ from thinkblox.reading.english.across import settle_opposite_walls
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.doubts import Doubts
 from thinkblox.reading.english.front import settle_front
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.hanging import hang_up
 from thinkblox.reading.english.second import SecondOpinion
 
@@ -39,14 +41,19 @@ class Audit(Doubts):
         settle_front(self.draft)
         for thing in list(self.draft.things):
             self._find_each(thing)
+            self._look_otherwise(thing)
             self._contradicts(thing)
             noun = self.named_by.get(thing)
             if noun is not None and not _is_known(thing):
                 self._doubt(thing, noun)
 
     def _allow_asked(self) -> None:
-        """Say of what is both asked for and not to be there that nobody knows where it is not to be."""
+        """Say of what is both asked for and not to be there that nobody knows where it is not to be.
+
+        A mirror may hang where there is to be nothing but it on the walls.
+        """
         asked = {thing.noun for thing in self.draft.things if thing.asked}
+        self.draft.excluded -= asked & grammar().lists["on_walls"] - self.excluded_by.keys()
         for name, noun in self.excluded_by.items():
             if name in asked and name in self.draft.excluded:
                 self.draft.excluded.discard(name)
@@ -72,6 +79,16 @@ class Audit(Doubts):
         if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")
+
+    def _look_otherwise(self, thing: Mention) -> None:
+        """Give the one of "six blue chairs, one of which is red" the colour, material or shape told of it alone."""
+        before = self.referents.inherited.get(thing, [])
+        own = thing.attributes[len(before) :]
+        if thing.attributes[: len(before)] != before:
+            return
+        kinds = (COLOURS.keys(), LOOKS - COLOURS.keys(), grammar().lists["shapes"])
+        told = [kind for kind in kinds if any(look in kind for look in own)]
+        thing.attributes = [look for look in before if not any(look in kind for kind in told)] + own
 
     def _contradicts(self, thing: Mention) -> None:
         """Say of a thing that was given two colours at different places that it cannot have both."""

@@ -3,17 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.said import is_link
 
 _A_ROW = -1
 """How many rows "per row" and "in each row" name."""
 _PER = ("per", "in", "to", "on")
+_OF = ("of", "in")
 
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _of_columns(chunks)
+    chunks = _one_of_each(_of_columns(chunks))
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -31,6 +32,24 @@ def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
         found.append(_in_rows(chunk, found) if isinstance(chunk, Noun) and chunk.rows > 1 else chunk)
         at += 1
     return found
+
+
+def _one_of_each(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "the first desk of each row" is so many desks; which of them is said not to be understood."""
+    made = list(chunks)
+    lines: dict[str, int] = {}
+    for at in range(len(made)):
+        one, link, row = (*made[at : at + 3], None, None, None)[:3]
+        if isinstance(one, Noun) and one.rows > 1:
+            lines |= {"column" if "columns" in one.text.lower().split() else "row": one.rows}
+        each = isinstance(row, Noun) and row.det == "each" and row.word in lines
+        place = isinstance(one, Noun) and one.kind == "thing" and one.det == "the" and bool(one.ordinal or one.side)
+        of = isinstance(link, Connector) and is_link(link, "prepositions", *_OF)
+        if of and each and place and isinstance(one, Noun) and isinstance(row, Noun) and link is not None:
+            count, text = lines[row.word], f"{lines[row.word]} of the {one.word}s"
+            some = replace(one, count=count, text=text, of_known=True, plural=True, ordinal=0, side="")
+            made[at : at + 3] = [some, Stray(link.start, row.end, f"of {row.text}")]
+    return made
 
 
 def _of_columns(chunks: Sequence[Chunk]) -> list[Chunk]:

@@ -40,12 +40,30 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        self.draft.unknown += self._named_again()
         for reference in self.antecedents.unclear:
             self._doubt_referent(reference)
         self._doubt_circles()
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
+
+    def _named_again(self) -> Iterator[str]:
+        """Things of which nothing tells whether they were pointed at before: "the desk is here. A desk of oak"."""
+        for thing in self.draft.things:
+            noun = self.named_by.get(thing)
+            if noun is None or noun.det != "a" or thing.many or self.draft.bonds_of(thing):
+                continue
+            before = self.draft.things[: self.draft.things.index(thing)]
+            alike = [t for t in before if t.noun == thing.noun and last_word(t) == last_word(thing) and t.asked]
+            pointed = [t for t in alike if (named := self.named_by.get(t)) is not None and named.det == "the"]
+            anchors = any(thing in b.anchors for b in self.draft.bonds)
+            if (
+                pointed == alike
+                and len(alike) == 1
+                and not (alike[0].many or anchors or noun.text.lower()[:4] == "one ")
+            ):
+                yield f"{thing.text} ({alike[0].text} again?)"
 
     def _doubt_circles(self) -> None:
         """Say of things in a circle around nothing that nobody sees to that."""

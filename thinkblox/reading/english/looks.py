@@ -21,6 +21,8 @@ _LEAST_SIDE = 1.5
 """A room is no narrower than this [m]."""
 _OF_JOINED = ("next_to", "facing")
 """How the ones of two joined kinds may stand to the others: "two washers and two dryers side by side"."""
+_LONGEST_FILE = 6
+"""Most things that are put one behind the other."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
@@ -174,8 +176,17 @@ class Descriptions(Rooms):
             bind(self.draft, Bond(kind, thing, (thing,)))
         elif link.value == "around":
             self.circles.append((thing, link))
+        elif kind == "behind" and 1 < (thing.count or 0) <= _LONGEST_FILE:
+            self._file(thing)
         else:
             self._lose(link.start, link.end)
+
+    def _file(self, whole: Mention) -> None:
+        """Put several one behind the other."""
+        parts = [self.referents.part(whole, 1) for _ in range((whole.count or 1) - 1)]
+        for one, other in pairwise([*parts, whole]):
+            bind(self.draft, Bond("behind", other, (one,)))
+        self.referents.parted = None
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:
         """Read "not facing each other"; what cannot be denied is not understood."""

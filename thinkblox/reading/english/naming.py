@@ -112,7 +112,8 @@ class Naming(Several):
             thing.plural = noun.plural
             if named.det == "the":
                 thing.noun, thing.text = noun.value, noun.text
-                thing.attributes, thing.unshown, thing.states = [*noun.attributes], [*noun.unshown], [*noun.states]
+                thing.attributes = [*named.looks, *noun.attributes]
+                thing.unshown, thing.states = [*noun.unshown], [*noun.states]
             return [thing]
         return []
 
@@ -122,11 +123,13 @@ class Naming(Several):
         if thing.noun == noun.value and named.each:
             return several and not (noun.attributes or noun.unshown)
         alike = thing.noun == noun.value or last_word(thing) == noun.word
-        if not alike or named.det != "the" or thing.count not in (None, 1) or named.unshown:
+        if not alike or named.det != "the" or thing.count not in (None, 1, noun.count) or named.unshown:
             return False
         if is_tasked(self.cut, named):
             return named.plural == noun.plural and {*named.attributes} <= {*noun.attributes}
-        return several and not named.attributes and named.plural and named.count is None and thing.count is None
+        return (
+            several and named.attributes == named.looks and named.plural and named.count is None and thing.count is None
+        )
 
     def _all_named(self, noun: Noun) -> list[Mention]:
         """What "each chair", "both lamps", "all four chairs" are."""

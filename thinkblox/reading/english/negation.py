@@ -298,7 +298,8 @@ class Negation(Positions):
             self._spend(noun)
             self.at += 2
             return
-        if noun is not None and noun.kind == "thing" and not self.clause.members and self.pending is None:
+        placed = bool(self.front or self.clause.members) or self.pending is not None
+        if noun is not None and noun.kind == "thing" and not placed:
             self.draft.empty = True
 
     def _exclude_next(self) -> None:

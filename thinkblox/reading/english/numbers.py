@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.verbs import Verbs
 
@@ -364,11 +364,21 @@ class Numbers(Verbs):
                 bond.anchors = tuple(anchor for anchor in bond.anchors if anchor is not part)
         self._speak_of_part(part, None)
 
+    def _unlook(self, part: Mention, said: Chunk | None) -> None:
+        """Take back what was said of all but these: "the chairs are black except one"."""
+        if not isinstance(said, Adjective):
+            return
+        part.attributes = [look for look in part.attributes if look not in said.attributes]
+        part.unshown = [look for look in part.unshown if look not in said.unshown]
+        part.states = [state for state in part.states if state not in said.states]
+        self.referents.inherited[part] = [*part.attributes]
+
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
         if self.excepting and (whole.count or 0) > count:
-            self.excepting = False
+            self.excepting, said = False, self._before(2)
             self._except(whole, count)
+            self._unlook(self.frontier[-1].things[-1], said)
             return
         times = self._times_next()
         if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
@@ -383,7 +393,7 @@ class Numbers(Verbs):
             return
         same = whole.count is not None and count * times == whole.count and whole is not self.summed
         if same and whole is not self.referents.parted:
-            self._resume([whole], noun or Noun("number", "", 0, 0))
+            self._resume([whole], noun or Noun("number", "", -1, -1))
             self.counted.add(whole)
             return
         self.referents.settle(whole)

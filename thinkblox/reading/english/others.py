@@ -11,7 +11,7 @@ _ONE, _OTHER = ("one", "the one"), ("another", "another one", "the other", "the 
 
 def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "one on the right" and "the right one" name what was told to be on the left."""
-    made = list(chunks)
+    made = _sided(chunks)
     thing: Noun | None = None
     whole: Noun | None = None
     told: set[str] = set()
@@ -33,6 +33,26 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
             if found is not None:
                 _put_verb(made, at, at + 1 if found.side else at + 3)
         at += 1
+    return made
+
+
+def _sided(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "the left one" for "the one on the left", "the two on the left"."""
+    made = list(chunks)
+    for at in range(len(made) - 2, -1, -1):
+        said, part = made[at], _side_after(made, at)
+        some = isinstance(said, Noun) and said.kind in ("number", "pronoun") and said.det == "the" and said.count
+        some = some and any(isinstance(c, Noun) and c.kind == "thing" and c.many for c in made[:at])
+        on = made[at + 1]
+        if not some or part is None or not isinstance(said, Noun) or not _is(on, "prepositions") or part.det == "my":
+            continue
+        of = made[at + 3] if at + 3 < len(made) else None
+        if isinstance(of, Connector) and of.value == "of":
+            continue
+        text = f"the {part.value} one" if said.count == 1 else f"the {part.value} ones"
+        sided = replace(said, kind="number", value="", end=part.end, side=part.value, text=text)
+        made[at : at + 3] = [sided]
+        _put_verb(made, at, at + 1)
     return made
 
 

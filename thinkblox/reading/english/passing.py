@@ -34,7 +34,7 @@ def _is_owning(tokens: Sequence[Token], at: int) -> bool:
 def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which it is told of the things themselves, or said not to be understood."""
     made: list[Chunk] = []
-    at = 0
+    chunks, at = _seated(chunks), 0
     while at < len(chunks):
         chunk = chunks[at]
         if _is_own_door(chunks, at):
@@ -55,7 +55,8 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
             if isinstance(thing, Noun):
                 words = " ".join((looks.text, thing.text.split()[-1]))
                 told = [*thing.attributes, *looks.attributes]
-                made.append(replace(thing, start=looks.start, attributes=told, text=f"the {words}"))
+                looked = [*looks.attributes]
+                made.append(replace(thing, start=looks.start, attributes=told, looks=looked, text=f"the {words}"))
             at += _FOR
         elif _is_in_way(chunks, at):
             made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
@@ -134,6 +135,23 @@ def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
     denied = is_link(chunks[at], "negations", "not", "exclude")
     blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
     return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
+
+
+def _seated(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "seats six and has two benches" for "seats six on two benches"."""
+    made = list(chunks)
+    for at, chunk in enumerate(chunks):
+        if isinstance(chunk, Connector) and _is_seated_on(chunks, at):
+            made[at + 2] = replace(chunk, sort="verbs", value="have")
+    return made
+
+
+def _is_seated_on(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "seats six on two benches" comes: so many are seated, and it has two benches."""
+    number, link, seats = (*chunks[at + 1 : at + 4], None, None, None)[:3]
+    counted = isinstance(number, Noun) and number.kind == "number" and bool(number.count)
+    seated = is_link(chunks[at], "verbs", "seat") and counted and is_link(link, "prepositions", "on", "with")
+    return seated and isinstance(seats, Noun) and seats.kind == "thing" and not seats.definite
 
 
 def _is_leant_on(chunks: Sequence[Chunk], at: int) -> bool:

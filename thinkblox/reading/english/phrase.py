@@ -182,7 +182,9 @@ class PhraseReader(Heads):
         if grammar().at(self.tokens, at, "mutual") is not None:
             return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
-            counted = self.tokens[after - 1].text in ("side", "end") and self._number(after) is not None
+            of_one = [token.text for token in self.tokens[max(at - 3, 0) : at]] == ["one", "on", "the"]
+            closed = of_one or self.tokens[after - 1].text in ("side", "end")
+            counted = closed and self._number(after) is not None
             if counted or self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):

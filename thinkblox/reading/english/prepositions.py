@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.knowledge.seats import places_at
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.heads import is_purpose
 from thinkblox.reading.english.naming import SEATERS
@@ -29,6 +29,10 @@ class Prepositions(Negation):
 
     def _except(self, whole: Mention, count: int) -> None:
         """Set so many apart of which something is not so."""
+        raise NotImplementedError
+
+    def _unlook(self, part: Mention, said: Chunk | None) -> None:
+        """Take back what was said of all but these."""
         raise NotImplementedError
 
     def _preposition(self, link: Connector) -> None:
@@ -247,16 +251,22 @@ class Prepositions(Negation):
 
     def _excepted_of_subject(self, noun: Noun | None) -> bool:
         """Take "every bench has a scale except the last one" for so many of the benches, of which that is not so."""
-        whole = self.subject.thing if self.subject is not None and self.predicate else None
+        node = self.subject if self.predicate else None
+        if node is None and self.frontier and isinstance(self._before(), Adjective):
+            node = self.frontier[-1]
+        whole = node.thing if node is not None else None
         if noun is None or whole is None or noun.kind not in ("number", "pronoun") or noun.of_known:
             return False
         count = noun.count or 1
         if (whole.count or 0) <= count:
             return False
+        said = self._before()
         self._go_past(noun)
         self._except(whole, count)
+        part = self.frontier[-1].things[-1]
+        self._unlook(part, said)
         if noun.ordinal or noun.side:
-            self.ordinals.setdefault(whole, {})[noun.ordinal] = self.frontier[-1].things[-1]
+            self.ordinals.setdefault(whole, {})[noun.ordinal] = part
         return True
 
     def _bar(self, noun: Noun) -> Noun | None:

@@ -30,7 +30,7 @@ class Pronouns(Numbers):
                 joined = self.clause.last_joined() or self.referents.joined
                 two = joined if len(joined) == _PAIR else self.referents.both(())
                 self._resume([*(two or self.referents.several([], ""))], noun)
-                if self.frontier:
+                if self.frontier and not self._is_on_one():
                     self.frontier[0].each = self.each = True
             case "them":
                 self._resume(self._they(), noun)
@@ -41,6 +41,14 @@ class Pronouns(Numbers):
                 self._all(noun)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _is_on_one(self) -> bool:
+        """Whether "on a desk" comes, which is one for both: "two screens, both on a desk"."""
+        verb = int(self._is_link(self.peek(), "verbs", "be", "stand"))
+        noun, after = self._next_noun(verb + 1), self.peek(verb + 2)
+        carried = self._is_link(self.peek(verb), "prepositions", "on", "on_top", "in")
+        one = noun is not None and noun.kind == "thing" and noun.det == "a" and not noun.many
+        return carried and one and not (isinstance(after, Noun) and after.value == "each")
 
     def _they(self) -> list[Mention]:
         """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""

@@ -43,6 +43,7 @@ class Referents:
         parted: what is left of several of which some were set apart.
         left: the same once the sentence has ended, until more is told of it.
         parts: what was set apart from each.
+        inherited: what was said of several before some were set apart, by these.
         shared: several of which something was said of each.
         centre: what a pronoun of the clause before meant; what comes is about it rather than about what stands there.
     """
@@ -58,6 +59,7 @@ class Referents:
         self.listed: list[Mention] = []
         self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
+        self.inherited: dict[Mention, list[str]] = {}
         self.shared: set[Mention] = set()
         self.centre: Mention | None = None
         self.flanking: set[Mention] = set()
@@ -351,6 +353,7 @@ class Referents:
         self.parted = whole
         self.parts.setdefault(whole, []).append(part)
         self._whole_of[part] = whole
+        self.inherited[part] = [*part.attributes]
         self.speak(part)
         return part
 

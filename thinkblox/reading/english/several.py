@@ -1,6 +1,6 @@
 """Some of several: numbers, ordinals, sides, "every second"."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import degree_of
@@ -13,6 +13,8 @@ from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
+_SIDE_WALLS: Mapping[tuple[Mention | str, ...], str] = {("left_wall",): "left", ("right_wall",): "right"}
+"""Walls, and on which side what stands there is."""
 
 
 class Several(Boundaries):
@@ -51,7 +53,17 @@ class Several(Boundaries):
     def _left_over(self) -> Mention | None:
         """What "the other" means that begins a sentence after one in which some of several were told of."""
         begins = not (self.clause.members or self.frontier or self.referents.parted)
-        return self.referents.left_over() if begins else None
+        return (self.referents.left_over() or self._other_of_two()) if begins else None
+
+    def _other_of_two(self) -> Mention | None:
+        """What stands at the wall across from what the clause before was about, where these are all of their kind."""
+        said = next((t for t in reversed(self.referents.spoken) if t in self.draft.things), None)
+        topics = [t for t in (*self.referents.topics[-1:], said) if t in self.draft.things and t is not None]
+        walled = [b.subject for b in self.draft.bonds if b.anchors[:1] in _SIDE_WALLS and not b.negated]
+        topic = next((t for t in topics if t in walled), None)
+        alike = [t for t in self.draft.things if topic is not None and t.asked and t.noun == topic.noun]
+        others = [t for t in alike if t is not topic]
+        return others[0] if len(alike) == _PAIR and others[0] in walled else None
 
     def _one_left(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
         """What a number parts; "the one by the door" is of those of which another was called so before."""
@@ -128,9 +140,10 @@ class Several(Boundaries):
         at: dict[str, list[Mention]] = {"left": [], "right": []}
         for bond in self.draft.bonds:
             side = bond.kind.removesuffix("_of")
+            side = _SIDE_WALLS.get(bond.anchors[:1], side)
             if side in at and not bond.negated and bond.subject.asked and bond.subject not in besides:
                 at[side].append(bond.subject)
-        here = [t for t in at.get(noun.side, ()) if not t.many]
+        here = [t for t in at.get(noun.side, ()) if (t.count or 1) == (noun.count or 1)]
         here = [t for t in here if whole is None or not self._are_newer(whole, t)]
         if noun.kind == "thing":
             return next((t for t in reversed(here) if t.noun == noun.value), None)

@@ -1,0 +1,59 @@
+"""What is said once more of a thing between commas, and what is begun and said otherwise."""
+
+import pytest
+
+from thinkblox.reading import read_brief
+
+
+def told(prompt: str) -> tuple[dict[str, int], set[str]]:
+    """What is asked for, and how it stands."""
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    relations = {f"{r.subject} {r.kind} {' '.join(r.anchors)}" for r in brief.relations if r.asked}
+    return {r.category: r.count for r in brief.requests if r.asked}, relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "His stool, the only seat in there, is tucked under the bench.",
+            {"stool": 1, "bench": 1},
+            {"stool under bench"},
+        ),
+        (
+            "A fish tank, the one with the castle inside, goes on a cabinet by the window.",
+            {"aquarium": 1, "castle": 1, "cabinet": 1},
+            {"aquarium on cabinet", "castle inside aquarium", "cabinet next_to window"},
+        ),
+        (
+            "A dress form leans... no, stands by the window. Next to the dress form is a rocking horse.",
+            {"dress_form": 1, "rocking_horse": 1},
+            {"dress_form next_to window", "rocking_horse next_to dress_form"},
+        ),
+        ("A bookcase dominates the back wall.", {"bookcase": 1}, {"bookcase against_wall far_wall"}),
+        ("A long counter spans the right wall.", {"counter": 1}, {"counter against_wall right_wall"}),
+    ],
+)
+def test_told_once(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_what_is_taken_back_is_not_made() -> None:
+    brief = read_brief("A butcher shop with a counter. Cold-room door... skip that. A stool by the door.")
+    assert {r.category for r in brief.requests if r.asked} == {"counter", "stool"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        ("An office with two lamps, both on a desk.", {"desk_lamp": 2, "desk": 1}, {"desk_lamp on desk"}),
+        (
+            "Six lockers. The bench in front of the lockers has a towel on it and two bags underneath.",
+            {"locker": 6, "bench": 1, "towels": 1, "handbag": 2},
+            {"bench in_front_of locker", "towels on bench", "handbag under bench"},
+        ),
+    ],
+)
+def test_one_thing_for_all_that_is_told(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -1,0 +1,87 @@
+"""Some of several that are otherwise than the rest, and what holds nothing but what is named."""
+
+import pytest
+
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def looks(prompt: str, category: str) -> dict[str, int]:
+    """How many of a kind have which looks."""
+    found = [r for r in read_brief(prompt).requests if r.category == category and r.asked]
+    return {" ".join(r.attributes): r.count for r in found}
+
+
+def relations(brief: Brief) -> set[str]:
+    """What was asked of how things stand to each other, in words."""
+    counts = {r.key: r.count for r in brief.requests}
+    asked = [r for r in brief.relations if r.asked and not r.negated]
+    return {f"{counts[r.subject]} {r.subject} {r.kind} {' '.join(r.anchors)}" for r in asked}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("Ten chairs. The chairs are white except for one, which is black.", {"black": 1, "white": 9}),
+        ("Six chairs, all blue except two, which are red.", {"red": 2, "blue": 4}),
+        ("Six chairs, all blue except one.", {"": 1, "blue": 5}),
+        ("Six blue chairs; one of them is red and tall.", {"red tall": 1, "blue": 5}),
+        ("Eight chairs. All of them are black but one, which is white.", {"white": 1, "black": 7}),
+        ("Four oak chairs. Two of them are made of metal.", {"metal": 2, "oak": 2}),
+    ],
+)
+def test_some_look_otherwise(prompt: str, expected: dict[str, int]) -> None:
+    assert looks(prompt, "chair") == expected
+    assert not read_brief(prompt).unknown
+
+
+def test_colour_that_all_have_is_kept_by_some() -> None:
+    assert looks("Six blue chairs; one of them is metal.", "chair") == {"blue metal": 1, "blue": 5}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("The counter is bare except for two vases.", "2 vase on counter"),
+        ("The fridge is empty except for a milk bottle.", "1 milk_bottle inside fridge"),
+        ("A basket, empty apart from two balls.", "2 ball inside basket"),
+        ("Two desks. Both are empty except for a lamp.", "2 desk_lamp on desk"),
+        ("A nightstand. On the nightstand there's nothing but a glass.", "1 glass on nightstand"),
+    ],
+)
+def test_empty_but_for(prompt: str, expected: str) -> None:
+    brief = read_brief(prompt)
+    assert relations(brief) == {expected}
+    assert not brief.unknown
+    assert not brief.empty
+
+
+def test_ones_at_a_side_are_those_at_that_wall() -> None:
+    brief = read_brief(
+        "Two benches along the left wall and one along the right. The two on the left carry six pots each; "
+        "the other one is empty apart from a watering can."
+    )
+    assert {"12 potted_plant on bench", "1 watering_can on bench-2"} <= relations(brief)
+    assert {"2 bench against_wall left_wall", "1 bench-2 against_wall right_wall"} <= relations(brief)
+
+
+def test_number_after_a_side_begins_something_new() -> None:
+    brief = read_brief("Two shelves: the one on the left holds six books, the one on the right three vases.")
+    assert [(r.category, r.count) for r in brief.requests if r.category in ("book", "vase")] == [
+        ("book", 6),
+        ("vase", 3),
+    ]
+
+
+@pytest.mark.parametrize("said", ["The walls are bare.", "Keep the walls bare.", "It has bare walls."])
+def test_bare_walls_have_no_pictures(said: str) -> None:
+    brief = read_brief(f"A study with a desk. {said}")
+    assert {"picture", "mirror"} <= set(brief.excluded)
+    assert not brief.free
+
+
+def test_what_alone_hangs_on_the_walls_is_not_excluded() -> None:
+    brief = read_brief("A study with a desk. The walls are bare except for a painting.")
+    assert "1 picture on wall" in relations(brief)
+    assert "mirror" in brief.excluded
+    assert "picture" not in brief.excluded

@@ -1,0 +1,32 @@
+"""Things that are pointed at before anybody tells of them."""
+
+import pytest
+
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count", "looks"),
+    [
+        ("Set the table for four. A round table in the dining room.", "dining_table", 1, {"round", "for-4"}),
+        ("A study. Use black for the chairs. Two chairs stand by the window.", "chair", 2, {"black"}),
+        ("Use oak for the desks and linen for the curtains. Three desks.", "desk", 3, {"oak"}),
+        ("Two chairs stand by the window. Use black for the chairs.", "chair", 2, {"black"}),
+    ],
+)
+def test_told_of_later(prompt: str, category: str, count: int, looks: set[str]) -> None:
+    brief = read_brief(prompt)
+    found = [r for r in brief.requests if r.category == category]
+    assert [r.count for r in found] == [count]
+    assert looks <= set(found[0].attributes)
+    assert not brief.unknown
+
+
+def test_one_that_may_have_been_pointed_at_is_asked_about() -> None:
+    assert any("again?" in said for said in read_brief("The desk is by the window. A desk of oak.").unknown)
+
+
+def test_another_in_another_place_is_not_asked_about() -> None:
+    brief = read_brief("The desk is by the window. A desk for the children stands by the door.")
+    assert not brief.unknown
+    assert sum(r.count for r in brief.requests if r.category == "desk") == 2

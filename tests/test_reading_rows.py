@@ -1,0 +1,45 @@
+"""What is said of one in each row, and of so many seats at each of several."""
+
+import pytest
+
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("Four tables in two rows. The first table of each row has a vase.", "vase", 2),
+        ("Ten pews in two columns. The last pew in each column has a book.", "book", 2),
+        ("Two rows of three tables. The middle table of each row has a candelabra.", "candelabra", 2),
+    ],
+)
+def test_one_of_each_row(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert any("of each row" in said or "in each column" in said for said in brief.unknown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("Two rows of three tables. Each table seats six on two benches, one on either long side.", "bench", 12),
+        ("Six tables. Each table has two benches, one on each side.", "bench", 12),
+        ("Four desks. Each desk has two lamps, one at either end.", "desk_lamp", 8),
+        ("A table that seats four on four stools.", "stool", 4),
+    ],
+)
+def test_all_that_each_has_is_counted(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    "prompt", ["Three toy trucks on the rug, one behind the other.", "Toy trucks: three, in single file."]
+)
+def test_one_behind_the_other(prompt: str) -> None:
+    brief = read_brief(prompt)
+    behind = [(r.subject, *r.anchors) for r in brief.relations if r.kind == "behind"]
+    assert behind == [("toy_truck-2", "toy_truck"), ("toy_truck-3", "toy_truck-2")]
+    assert all(r.count == 1 for r in brief.requests if r.category == "toy_truck")
+    assert not brief.unknown

@@ -1,0 +1,55 @@
+"""What is said once more between commas of the thing named just before: "his stool, the only seat in there, ..."."""
+
+from collections.abc import Sequence
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.said import is_link
+
+_MOST = 6
+"""Most chunks of what is said once more."""
+
+
+def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "the only seat" names nothing new, and "the one with the castle" has the castle."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        length = _only_one(chunks, at) if _is_after_thing(chunks, at) else 0
+        if length:
+            made += [_filler(chunk) for chunk in chunks[at : at + length]]
+            at += length
+        elif _is_after_thing(chunks, at) and _is_one_with(chunks, at + 1):
+            at += 2
+        else:
+            made.append(chunks[at])
+            at += 1
+    return made
+
+
+def _is_after_thing(chunks: Sequence[Chunk], at: int) -> bool:
+    before = chunks[at - 1] if at else None
+    return is_link(chunks[at], "mark", "comma") and isinstance(before, Noun) and before.kind == "thing"
+
+
+def _only_one(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks ", the only seat in there," has; 0 where it does not come."""
+    start = at + 2 if at + 1 < len(chunks) and isinstance(chunks[at + 1], Stray) else at + 1
+    only, kind = (*chunks[start : start + 2], None, None)[:2]
+    named = isinstance(kind, Noun) and kind.kind in ("thing", "number") and not kind.many and not kind.det
+    if start == at + 1 or not is_link(only, "negations", "only") or not named:
+        return 0
+    ends = (n for n in range(start + 2, min(start + _MOST, len(chunks))) if is_link(chunks[n], "mark"))
+    end = next(ends, 0)
+    if not end:
+        return 0
+    return end + 1 - at if is_link(chunks[end], "mark", "comma") else end - at
+
+
+def _is_one_with(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "the one with a castle" comes."""
+    one, link = (*chunks[at : at + 2], None, None)[:2]
+    return isinstance(one, Noun) and one.text.lower() == "the one" and is_link(link, "prepositions", "with")
+
+
+def _filler(chunk: Chunk) -> Connector:
+    return Connector("fillers", "words", chunk.start, chunk.end, str(getattr(chunk, "text", "")))
