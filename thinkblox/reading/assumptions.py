@@ -418,25 +418,27 @@ def _called(thing: Mention) -> list[str]:
 def _part_off(draft: Draft) -> None:
     """Add the parts of the room that a prompt names by their use, each with what makes it, its own but for storage."""
     for theme in [t for t in draft.themes if t.unless and t.room not in kinds_of_room(draft.room)]:
-        if served := [t for t in draft.things if theme.is_served_by(t.noun) and not _is_of_other(draft, t)]:
+        own = {usual.category for usual in theme.expected(draft.room)}
+        if served := [t for t in draft.things if theme.is_served_by(t.noun) and not _is_of_other(draft, t, own)]:
             served[0].asked |= not any(t.asked for t in served)
             continue
-        own: dict[str, Mention] = {}
+        made: dict[str, Mention] = {}
         for number, usual in enumerate(theme.expected(draft.room)):
-            places = [_place(anchors, own) for _, anchors, _ in usual.relations]
+            places = [_place(anchors, made) for _, anchors, _ in usual.relations]
             shared = number and not any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
             there = shared and any(_serves(t.noun, usual) for t in draft.things)
             if there or usual.category in draft.excluded or not all(places):
                 continue
-            thing = own[usual.category] = _add(draft, usual.category, usual.count)
+            thing = made[usual.category] = _add(draft, usual.category, usual.count)
             thing.asked = not number
             for (kind, _, each), place in zip(usual.relations, places, strict=True):
-                draft.bonds.append(Bond(relation_kind(kind), thing, (own.get(place, place),), each=each, asked=False))
+                draft.bonds.append(Bond(relation_kind(kind), thing, (made.get(place, place),), each=each, asked=False))
 
 
-def _is_of_other(draft: Draft, thing: Mention) -> bool:
-    """Whether it is told to be at, on or before another thing, and so no part of the room by itself."""
-    return any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors)
+def _is_of_other(draft: Draft, thing: Mention, own: Collection[str]) -> bool:
+    """Whether it is told to be at, on or before what is not of its own part of the room, and so no part by itself."""
+    anchors = (a for b in draft.bonds_of(thing) for a in b.anchors if b.asked and isinstance(a, Mention))
+    return any(anchor.noun not in own for anchor in anchors)
 
 
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:

@@ -341,6 +341,8 @@ class Negation(Positions):
                 self.anchors(said, [])
             elif said.kind == "thing":
                 self._lose(link.start, said.end)
+        if not barred.named:
+            self._lose(barred.start, self.placed_barred)
         return True
 
     def _is_head_named(self, noun: Noun) -> bool:
@@ -394,6 +396,8 @@ class Negation(Positions):
         self.draft.excluded.add(noun.value)
         self.excluded_by[noun.value] = noun
         self.account.mark(noun.start, noun.end, "constraint")
+        if noun.word in grammar().lists["wide"] and not self._is_link(self.peek(), "prepositions"):
+            self._lose(noun.start, noun.end)
         self.pending = None
         self.barred = noun
         self.placed_barred = noun.end if self._has_own_place() else -1

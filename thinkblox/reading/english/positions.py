@@ -455,6 +455,7 @@ class Positions(Subjects):
             return False
         before = self.chunks[self._began - 1] if self._began > 0 else None
         named = isinstance(before, Noun) and before.kind in ("thing", "number", "pronoun")
+        named &= not (isinstance(before, Noun) and before.value in ("it", "them"))
         return named and isinstance(self.front[-1].anchors[0], Mention)
 
     def _beyond(self, where: Where) -> None:

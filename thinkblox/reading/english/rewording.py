@@ -3,11 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
 _SIDES = ("left", "right", "front", "back", "leftmost", "rightmost")
 SHARES = ("third", "half", "part", "portion")
 """Parts of a top that are at a side of it."""
+_ONE = ("a", "one", "each", "every")
 _OF_ROOM = ["of", "the", "room"]
 
 
@@ -27,4 +29,6 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "in"
         elif [word, *after[:1]] == ["other", "half"] and before == "the" and after[1:2] != ["of"]:
             read[at : at + 2] = ["others", "there"]
+        elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
+            read[at] = "daylight"
     return [replace(token, text=new) if new != token.text else token for token, new in zip(tokens, read, strict=True)]
