@@ -104,3 +104,21 @@ def test_what_people_do_somewhere_asks_for_nothing(prompt: str) -> None:
 def test_a_seating_group_is_what_is_listed_of_it() -> None:
     brief = read_brief("A lobby with a seating group: two armchairs around a coffee table.")
     assert {r.category for r in brief.requests if r.asked} == {"armchair", "coffee_table"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("A dining room with a table for six, no chairs but two benches.", {"dining_table": 1, "bench": 2}),
+        ("A dining room with a table for six. Benches instead of chairs.", {"dining_table": 1, "bench": 2}),
+        ("A table for six and no chairs.", {"dining_table": 1}),
+    ],
+)
+def test_seats_that_are_barred_are_not_assumed_at_a_table(prompt: str, asked: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests} == asked
+
+
+def test_what_hangs_low_hangs_from_the_ceiling() -> None:
+    (lamp,) = (r for r in read_brief("A low-hanging lamp over a table.").requests if r.category == "pendant_lamp")
+    assert lamp.attributes == ("low",)

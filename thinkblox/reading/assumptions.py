@@ -41,7 +41,8 @@ _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
 """A table at which one in so many sits is not where the people of a room have their places."""
-_BENCH = "bench"
+_BENCH, _ON_BENCH = "bench", 4
+"""What several sit on side by side, and how many at a table."""
 _MOST_MEET = 12
 """More people than this do not all meet at one table."""
 _SEVERAL = 2
@@ -606,12 +607,21 @@ def _seat(draft: Draft) -> None:
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 
 
+def _is_bench(seat: Mention) -> bool:
+    return seat.noun.endswith(_BENCH)
+
+
+def _benches(people: int) -> int:
+    """How many benches so many people sit on at a table: one at either long side, and more for many."""
+    return max(2, -(-people // _ON_BENCH))
+
+
 def _share_table(draft: Draft) -> None:
     """Places for all the people of a room at the table that is named there, where the prompt counts no seats."""
     habits = load_habits()
     seats = [t for t in draft.things if habits.is_in(t.noun, "seats") and not habits.is_in(t.noun, "lounges")]
     tables = [t for t in draft.things if habits.is_in(t.noun, "meal_tables")]
-    seats = [t for t in seats if not t.noun.endswith(_BENCH)]
+    seats = [t for t in seats if not _is_bench(t)]
     uncounted = all(t.count is None and _is_chair(t) and not draft.bonds_of(t) for t in seats)
     if draft.people and room_type(draft.room).seats_at and len(tables) == 1 and uncounted:
         table = tables[0]
@@ -635,7 +645,7 @@ def _staff(draft: Draft) -> None:
         if len(tables) == 1:
             table, (kind, _, each) = tables[0]
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
-            seat.count = table.seats or each
+            seat.count = (_benches(table.seats) if table.seats and _is_bench(seat) else table.seats) or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
 
 
@@ -752,7 +762,10 @@ def _is_chair(thing: Mention) -> bool:
 
 def _chairs(draft: Draft, table: Mention, count: int) -> None:
     usual = usual_seat(table.noun) if load_habits().is_in(table.noun, "meal_tables") else None
-    seat = _add(draft, usual.category if usual is not None else "chair", count)
+    category = usual.category if usual is not None else "chair"
+    if category in draft.excluded:
+        return
+    seat = _add(draft, category, count)
     draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))
 
 

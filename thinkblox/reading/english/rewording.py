@@ -10,6 +10,8 @@ _SIDES = ("left", "right", "front", "back", "leftmost", "rightmost")
 SHARES = ("third", "half", "part", "portion")
 """Parts of a top that are at a side of it."""
 _ONE = ("a", "one", "each", "every")
+_PARTED = (["low", "hanging"], ["high", "hanging"])
+"""Words that are read as two, also where a hyphen joins them."""
 _OF_ROOM = ["of", "the", "room"]
 
 
@@ -31,4 +33,8 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at : at + 2] = ["others", "there"]
         elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
             read[at] = "daylight"
-    return [replace(token, text=new) if new != token.text else token for token, new in zip(tokens, read, strict=True)]
+    parted = [words[at : at + 2] in _PARTED for at in range(len(words))]
+    return [
+        replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
+        for token, new, apart in zip(tokens, read, parted, strict=True)
+    ]
