@@ -28,6 +28,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.kept_clear import with_kept_clear
+from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
@@ -99,7 +100,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = reworded(plainly(with_abilities(with_owners(with_parts(_spelt_out(lexicon.tokens(text)))))))
+    tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(_spelt_out(lexicon.tokens(text))))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]

@@ -76,7 +76,8 @@ class Account:
         """Every word and number in order, each once."""
         pairs = zip(self._tokens, self._fates, strict=True)
         told = [(t, part, fate) for t, fate in pairs if t.kind != "mark" for part in _PARTS.finditer(t.shown)]
-        return tuple(Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
+        words = {t.start + part.start(): (part[0], fate) for t, part, fate in told}
+        return tuple(Word(text=words[at][0], start=at, fate=words[at][1]) for at in sorted(words))
 
 
 def _usual(chunk: Chunk) -> Fate:
