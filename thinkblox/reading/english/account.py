@@ -76,8 +76,7 @@ class Account:
         """Every word and number in order, each once."""
         pairs = zip(self._tokens, self._fates, strict=True)
         told = [(t, part, fate) for t, fate in pairs if t.kind != "mark" for part in _PARTS.finditer(t.shown)]
-        words = {t.start + part.start(): (part[0], fate) for t, part, fate in told}
-        return tuple(Word(text=words[at][0], start=at, fate=words[at][1]) for at in sorted(words))
+        return tuple(Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
 
 
 def _usual(chunk: Chunk) -> Fate:

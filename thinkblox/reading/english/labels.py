@@ -64,8 +64,8 @@ def _label(tokens: Sequence[Token], at: int) -> int:
     """Which of several a letter or number after a noun says it is; 0 for other tokens."""
     token, noun = tokens[at], tokens[at - 1]
     after = tokens[at + 1] if at + 1 < len(tokens) else None
-    ends = after is None or after.kind == "mark" or grammar().at(tokens, at + 1, "verbs", "participles", "joins")
-    ends = ends or grammar().at(tokens, at + 1, "prepositions") is not None
+    ends = after is None or after.kind == "mark"
+    ends |= grammar().at(tokens, at + 1, "verbs", "participles", "joins", "prepositions") is not None
     plain = noun.kind == "word" and not any(noun.text in grammar().lists[name] for name in _NO_THINGS)
     if not plain or not ends or grammar().at(tokens, at - 1, "verbs", "prepositions", "determiners", "joins", "count"):
         return 0
