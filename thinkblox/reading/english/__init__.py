@@ -88,6 +88,8 @@ _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
 _ARE = ("theyre", "youre")
 """The same with "are"."""
+_SHARED = ("theyd", "theyll", "theyve")
+"""What says after a thing whom it is for: "the wardrobe they'd share"."""
 
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
@@ -156,6 +158,10 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
             first, rest = token.shown[:head], token.shown[head:]
             whole.append(Token(token.text[:head], first, "word", start=token.start))
             whole.append(Token(verb, rest, "word", start=token.start + head))
+        elif token.text in _SHARED and at and slashed[at - 1].kind == "word":
+            head = len("they")
+            whole.append(Token("they", token.shown[:head], "word", start=token.start))
+            whole.append(Token("would", token.shown[head:], "word", start=token.start + head))
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
