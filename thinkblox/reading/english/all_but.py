@@ -6,7 +6,6 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.said import is_link
 
-
 _CARRIED = ("on", "on_top", "in", "at", "under", "above", "behind", "in_front_of")
 """How one thing is to one other, and not to two."""
 _EACH = ("each of them", "every one of them", "each of these")
