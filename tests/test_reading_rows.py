@@ -43,3 +43,46 @@ def test_one_behind_the_other(prompt: str) -> None:
     assert behind == [("toy_truck-2", "toy_truck"), ("toy_truck-3", "toy_truck-2")]
     assert all(r.count == 1 for r in brief.requests if r.category == "toy_truck")
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count", "spread"),
+    [
+        ("Wine racks line three walls, two racks per wall.", "wine_rack", 6, 3),
+        ("Six wine racks on three walls, two per wall.", "wine_rack", 6, 3),
+        ("Cabinets line the two long walls, three on each wall.", "cabinet", 6, 2),
+    ],
+)
+def test_so_many_at_each_wall(prompt: str, category: str, count: int, spread: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert {r.spread for r in brief.relations if r.subject == category} == {spread}
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A room with two desks. Put a chair at both desks.", "chair", 2),
+        ("Two sofas; on both sofas lie two pillows.", "pillow", 4),
+        ("Two beds, four pillows on both beds.", "pillow", 4),
+        ("Ten pews face the altar; there is a hymn book on each of them but the last two.", "hymn_book", 8),
+    ],
+)
+def test_at_both_and_at_all_but_some(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert not brief.unknown
+
+
+def test_far_side_is_of_what_carries_something_small() -> None:
+    brief = read_brief("Office: a desk with a printer on the far right and a lamp on the left.")
+    relations = {(r.subject, r.kind) for r in brief.relations if r.asked}
+    assert relations >= {("printer", "on"), ("printer", "right_of"), ("desk_lamp", "left_of")}
+    assert not any(subject == "desk" for subject, _ in relations)
+
+
+def test_contracted_verb_is_no_name() -> None:
+    brief = read_brief("The wardrobe they'd share stands between the beds.")
+    assert [(r.category, r.count) for r in brief.requests if r.asked] == [("wardrobe", 1), ("bed", 2)]
+    assert not brief.unknown

@@ -29,6 +29,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.kept_clear import with_kept_clear
+from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
@@ -88,6 +89,8 @@ _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
 _ARE = ("theyre", "youre")
 """The same with "are"."""
+_SHARED = ("theyd", "theyll", "theyve")
+"""What says after a thing whom it is for: "the wardrobe they'd share"."""
 
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
@@ -100,7 +103,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = reworded(plainly(with_abilities(with_owners(with_parts(_spelt_out(lexicon.tokens(text)))))))
+    tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(_spelt_out(lexicon.tokens(text))))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
@@ -157,6 +160,10 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
             first, rest = token.shown[:head], token.shown[head:]
             whole.append(Token(token.text[:head], first, "word", start=token.start))
             whole.append(Token(verb, rest, "word", start=token.start + head))
+        elif token.text in _SHARED and at and slashed[at - 1].kind == "word":
+            head = len("they")
+            whole.append(Token("they", token.shown[:head], "word", start=token.start))
+            whole.append(Token("would", token.shown[head:], "word", start=token.start + head))
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole

@@ -1,4 +1,4 @@
-"""How many are left out of several: "next to all but two of the beds", "at all of them except one"."""
+"""How many of several are meant: "next to all but two of the beds", "a chair at both desks", which is one at each."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,10 +6,14 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.said import is_link
 
+_CARRIED = ("on", "on_top", "in", "at", "under", "above", "behind", "in_front_of")
+"""How one thing is to one other, and not to two."""
+_EACH = ("each of them", "every one of them", "each of these")
+
 
 def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which all but some of several are every one of them but so many."""
-    made = list(chunks)
+    made = [_each_of_both(chunk, chunks[:at]) for at, chunk in enumerate(chunks)]
     for at in range(len(made) - 2):
         every, but, left = made[at : at + 3]
         if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):
@@ -25,8 +29,21 @@ def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     return made
 
 
+def _each_of_both(chunk: Chunk, before: Sequence[Chunk]) -> Chunk:
+    """Each of both, where one thing is said to be at them, or they come before what is there."""
+    if not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.det != "both" or not chunk.plural:
+        return chunk
+    if not before or not is_link(before[-1], "prepositions", *_CARRIED):
+        return chunk
+    said = before[-3] if len(before) > 1 and is_link(before[-2], "verbs") else before[-2] if len(before) > 1 else None
+    front = said is None or is_link(said, "mark") or is_link(before[-2], "mark") or is_link(before[-2], "joins")
+    single = isinstance(said, Noun) and said.kind == "thing" and said.det == "a" and not said.many
+    both = replace(chunk, det="each", plural=False, text=f"each {chunk.word}")
+    return both if front or single else chunk
+
+
 def _is_all(noun: Noun) -> bool:
-    return noun.kind == "pronoun" and noun.det == "all"
+    return noun.kind == "pronoun" and (noun.det == "all" or noun.text.lower() in _EACH)
 
 
 def _excepts(chunk: Chunk) -> bool:

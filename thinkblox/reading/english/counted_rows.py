@@ -1,4 +1,4 @@
-"""Rows of which is told afterwards how many each has: "four rows of desks, five desks per row"."""
+"""Rows or walls of which is told afterwards how many each has: "four rows of desks, five desks per row"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,11 +10,12 @@ _A_ROW = -1
 """How many rows "per row" and "in each row" name."""
 _PER = ("per", "in", "to", "on")
 _OF = ("of", "in")
+_BOTH = 2
 
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _one_of_each(_of_columns(chunks))
+    chunks = _on_walls(_one_of_each(_of_columns(chunks)))
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -50,6 +51,37 @@ def _one_of_each(chunks: Sequence[Chunk]) -> list[Chunk]:
             some = replace(one, count=count, text=text, of_known=True, plural=True, ordinal=0, side="")
             made[at : at + 3] = [some, Stray(link.start, row.end, f"of {row.text}")]
     return made
+
+
+def _on_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which what stands at several walls is counted: six racks at three walls, two "per wall"."""
+    made = list(chunks)
+    for at in range(len(made) - 1, 1, -1):
+        things, walls = made[at - 2], made[at]
+        if not isinstance(things, Noun) or things.kind != "thing" or not isinstance(walls, Noun) or not _is_wall(walls):
+            continue
+        several = walls.count or (_BOTH if walls.det in ("both", "each", "either") else 0)
+        total = several * _at_each_wall(made[at + 1 : at + 5], things)
+        if total and things.count in (None, total):
+            made[at - 2] = replace(things, count=total, plural=True)
+            made[at + 1 : at + 5] = []
+    return made
+
+
+def _at_each_wall(said: Sequence[Chunk], things: Noun) -> int:
+    """The two of ", two racks per wall"; 0 where that does not come."""
+    mark, number, link, wall = (*said, None, None, None, None)[:4]
+    if not isinstance(number, Noun) or not isinstance(wall, Noun) or not _is_wall(wall):
+        return 0
+    alike = number.kind == "number" or (number.kind == "thing" and number.word == things.word)
+    plain = not (number.attributes or number.unshown or number.det or number.of_known)
+    each = wall.det == "each" or is_link(link, "prepositions", "per")
+    apart = is_link(mark, "mark", "comma", "colon", "dash", "open")
+    return number.count or 0 if apart and alike and plain and each else 0
+
+
+def _is_wall(noun: Noun) -> bool:
+    return noun.kind == "place" and noun.value.endswith("wall")
 
 
 def _of_columns(chunks: Sequence[Chunk]) -> list[Chunk]:

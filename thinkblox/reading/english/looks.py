@@ -186,6 +186,9 @@ class Descriptions(Rooms):
         parts = [self.referents.part(whole, 1) for _ in range((whole.count or 1) - 1)]
         for one, other in pairwise([*parts, whole]):
             bind(self.draft, Bond("behind", other, (one,)))
+        for node in (*self.frontier, self.subject):
+            if node is not None and node.things == [whole]:
+                node.things = [*parts, whole]
         self.referents.parted = None
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:

@@ -3,9 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.said import is_link
 
+_CARRIED = 4
+"""How many chunks before its place a thing is that carries another."""
 _SIDES = {"left_wall": "left", "right_wall": "right", "far_wall": "back", "near_wall": "front"}
 
 
@@ -16,9 +19,9 @@ def with_top_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
         owner = found[-1] if found else None
         if isinstance(chunk, Noun) and _is_end(chunk) and isinstance(owner, Noun) and _owns(owner, chunk):
             found[-1] = replace(_end(chunk), start=owner.start, det=owner.det, owner=owner.value)
-        elif isinstance(chunk, Noun) and _is_corner(chunk) and _is_of_thing(chunk, chunks[at + 1 : at + 3]):
+        elif isinstance(chunk, Noun) and _is_corner(chunk) and _is_told_of(chunks, at):
             found.append(_corner(chunk))
-        elif isinstance(chunk, Noun) and _is_end(chunk) and _is_of_thing(chunk, chunks[at + 1 : at + 3]):
+        elif isinstance(chunk, Noun) and _is_end(chunk) and _is_told_of(chunks, at):
             found.append(_end(chunk))
         else:
             found.append(chunk)
@@ -32,6 +35,24 @@ def _is_corner(place: Noun) -> bool:
 def _is_end(place: Noun) -> bool:
     """Whether it is "the far end", which is of the room unless it is said to be of something else."""
     return place.kind == "place" and place.value in _SIDES and place.called.split()[-1] in ("end", "side")
+
+
+def _is_told_of(chunks: Sequence[Chunk], at: int) -> bool:
+    place = chunks[at]
+    told = isinstance(place, Noun) and _is_of_thing(place, chunks[at + 1 : at + 3])
+    return told or _is_of_carrier(chunks, at)
+
+
+def _is_of_carrier(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "on the far right" tells where on a desk something small is: "a desk with a printer on the far right"."""
+    place = chunks[at]
+    if not isinstance(place, Noun) or place.kind != "place" or not place.called.startswith("far ") or at < _CARRIED:
+        return False
+    link, small, having, carrier = (chunks[at - n] for n in range(1, _CARRIED + 1))
+    things = isinstance(small, Noun) and isinstance(carrier, Noun) and small.kind == carrier.kind == "thing"
+    had = is_link(having, "prepositions", "with") or is_link(having, "verbs", "have", "carry", "hold")
+    placed = is_link(link, "prepositions", "on", "at") and place.called.split()[-1] in ("left", "right")
+    return had and placed and things and isinstance(small, Noun) and load_habits().is_in(small.value, "small")
 
 
 def _is_of_thing(place: Noun, after: Sequence[Chunk]) -> bool:

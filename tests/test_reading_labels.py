@@ -1,0 +1,43 @@
+"""Things that letters or numbers tell apart."""
+
+import pytest
+
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "relations"),
+    [
+        (
+            "Shelf A and shelf B stand opposite each other. On shelf A there are 5 red boxes. Shelf B is empty.",
+            {"shelving_unit": 2, "box": 5},
+            {"shelving_unit facing shelving_unit-2", "shelving_unit-2 facing shelving_unit", "box on shelving_unit"},
+        ),
+        (
+            "Bench 1 carries a vise; bench 2 carries a drill press. Bench 3 is empty.",
+            {"bench": 3, "vise": 1, "drill_press": 1},
+            {"vise on bench", "drill_press on bench-2"},
+        ),
+        (
+            "The server rack A is next to the server rack B.",
+            {"server_rack": 2},
+            {"server_rack next_to server_rack-2"},
+        ),
+        (
+            "Tables A and B stand side by side. A book is on table B.",
+            {"dining_table": 2, "book": 1},
+            {"dining_table-2 next_to dining_table", "book on dining_table-2"},
+        ),
+    ],
+)
+def test_labels_are_ordinals(prompt: str, counts: dict[str, int], relations: set[str]) -> None:
+    brief = read_brief(prompt)
+    asked = [r for r in brief.requests if r.asked]
+    assert {c: sum(r.count for r in asked if r.category == c) for c in {r.category for r in asked}} == counts
+    assert {f"{r.subject} {r.kind} {' '.join(r.anchors)}" for r in brief.relations if r.asked} == relations
+    assert not brief.unknown
+
+
+def test_lone_number_is_no_label() -> None:
+    brief = read_brief("A table 2 m long and a desk 1 m wide.")
+    assert [r.count for r in brief.requests if r.category in ("dining_table", "desk")] == [1, 1]
