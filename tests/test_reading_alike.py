@@ -122,3 +122,46 @@ def test_seats_that_are_barred_are_not_assumed_at_a_table(prompt: str, asked: di
 def test_what_hangs_low_hangs_from_the_ceiling() -> None:
     (lamp,) = (r for r in read_brief("A low-hanging lamp over a table.").requests if r.category == "pendant_lamp")
     assert lamp.attributes == ("low",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "On the left three washbasins, on the right four desks.",
+            "3 washbasin against_wall left_wall, 4 desk against_wall right_wall",
+        ),
+        ("At the back four lockers.", "4 locker against_wall far_wall"),
+        ("In the middle two tables.", "2 dining_table in_centre centre"),
+        (
+            "A desk. On the left two monitors, on the right a printer.",
+            "2 monitor left_of desk, 1 printer right_of desk",
+        ),
+        ("Four chairs. A lamp stands next to the left two chairs.", "1 floor_lamp next_to chair"),
+        ("A long table, seven chairs a side and one at the head.", "14 chair around dining_table"),
+        ("A table with ten chairs, a bottle at all seats.", "10 bottle on dining_table"),
+        ("A gallery. Each wall has two paintings.", "8 picture on wall"),
+        ("A hall. Each corner holds a plant.", "4 plant in_corner corner"),
+        ("A hall. Each window has a curtain.", "2 curtain next_to window"),
+    ],
+)
+def test_so_many_at_sides_seats_walls_and_corners_are_there(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert set(relations.split(", ")) <= set(related(brief))
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        ("A sofa. Opposite the sofa, at 2.5 meters, a TV.", "2.5 meters"),
+        ("A gallery. Two paintings on each wall except the door wall.", "except the door wall"),
+    ],
+)
+def test_exact_distances_and_walls_left_out_are_told(prompt: str, said: str) -> None:
+    assert said in read_brief(prompt).unknown
+
+
+def test_the_left_two_of_four_are_two_of_them() -> None:
+    brief = read_brief("A room with four chairs. The left two chairs are red.")
+    assert [(r.count, r.attributes) for r in brief.requests] == [(2, ("red",)), (2, ())]

@@ -35,6 +35,7 @@ from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.passing import with_owners, with_passing
+from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
@@ -121,6 +122,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_denied_places,
         with_kept_clear,
         with_switched,
+        with_places_having,
         with_top_sides,
         with_bare_places,
         with_stacked_pairs,

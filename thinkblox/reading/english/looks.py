@@ -251,7 +251,9 @@ class Descriptions(Rooms):
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
         """Whether a length says how far off something is: "2 m from it", "1 m apart", "nothing closer than 1 m"."""
-        if isinstance(self._before(), Stray) and len(measured.size.lengths) == 1 and measured.size.area is None:
+        led = self._is_link(self._before(), "prepositions", "at") and not self._is_link(following, "prepositions")
+        led |= isinstance(self._before(), Stray)
+        if led and len(measured.size.lengths) == 1 and measured.size.area is None:
             self._lose(measured.start, measured.end)
             return True
         if not isinstance(following, Connector):

@@ -90,15 +90,24 @@ class Modifiers(Quantities):
         return bool(noun.det or noun.count is not None) and self._starts_noun(at)
 
     def _side(self, noun: Noun, at: int) -> int:
-        """Read the "left" of "the left nightstand"."""
+        """Read the "left" of "the left nightstand", the "left two" of "the left two beds"."""
         text = self.tokens[at].text
         if noun.det not in ("the", "my") or text not in ("left", "right", "middle") or noun.side:
-            return 1 if noun.side and noun.side in (text, {"rear": "back"}.get(text)) else 0
+            told = bool(noun.side) and noun.side in (text, {"rear": "back"}.get(text))
+            return 1 + self._how_many_there(noun, at + 1) if told else 0
         following = self._known(at + 1, "object", "missing")
         if following is None and not self._is_one(at + 1):
             return 0
         noun.side = text
         return 1
+
+    def _how_many_there(self, noun: Noun, at: int) -> int:
+        """Take the number of "the left two beds"; returns its tokens, 0 where none comes."""
+        number = self._number(at) if noun.count is None and not self._is_one(at) else None
+        if number is None or not self._starts_noun(at + number[1]):
+            return 0
+        noun.count, noun.plural, noun.of_known = number[0], number[0] > 1, True
+        return number[1]
 
     def _glued(self, noun: Noun, at: int, units: Units) -> int:
         """Read words that hyphens join: "bottle-green", "butcher-block", "two-burner"."""

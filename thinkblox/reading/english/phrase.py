@@ -24,6 +24,9 @@ _BUILT = ("floor", "wall", "ceiling", "window", "door")
 _SIZES = ("large", "small")
 """Attributes by words that name things as well: "a grand hotel", "a grand"."""
 
+_AT_SIDE = ("on", "to", "at", "in")
+"""Before a side at which so many stand: "on the left three beds"."""
+
 
 class PhraseReader(Heads):
     """Reads noun phrases of one text."""
@@ -182,9 +185,8 @@ class PhraseReader(Heads):
         if grammar().at(self.tokens, at, "mutual") is not None:
             return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
-            of_one = [token.text for token in self.tokens[max(at - 3, 0) : at]] == ["one", "on", "the"]
-            closed = of_one or self.tokens[after - 1].text in ("side", "end")
-            counted = closed and self._number(after) is not None
+            closed = self._is_led_to_side(noun.start) or self.tokens[after - 1].text in ("side", "end")
+            counted = closed and self._number(after) is not None and not self._is_the_one(at, after)
             if counted or self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):
@@ -197,6 +199,18 @@ class PhraseReader(Heads):
         noun.det = "my" if self.tokens[after - 1].text == "it" else noun.det
         noun.plural = self.tokens[after - 1].text.endswith("s")
         return noun.det != "no"
+
+    def _is_led_to_side(self, start: int) -> bool:
+        """Whether "on", "to" or the like stands before, and not "next to"."""
+        if not start or self.tokens[start - 1].text not in _AT_SIDE:
+            return False
+        longer = grammar().at(self.tokens, start - 2, "prepositions") if start > 1 else None
+        return longer is None or longer.length == 1
+
+    def _is_the_one(self, at: int, one: int) -> bool:
+        """Whether "the left one" is one of those known: "on the left one is a hat", not "on the left one hat"."""
+        told = [token.text for token in self.tokens[max(at - 3, 0) : at]] == ["one", "on", "the"]
+        return self._is_one(one) and not told and not self._starts_noun(one + 1)
 
     def _adjective_ends(self, at: int) -> bool:
         """Whether only an adjective comes: "leave the middle free for ..."."""

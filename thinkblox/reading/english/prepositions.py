@@ -235,7 +235,8 @@ class Prepositions(Negation):
         known = noun is not None and noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
         if known and noun is not None:
             self._spend(noun)
-        if noun is not None and (known or (told and not noun.of_known)):
+        place = noun is not None and noun.kind == "place" and noun.det == "the"
+        if noun is not None and (known or place or (told and not noun.of_known)):
             self._lose_rest(link.start, noun.end)
             if self._is_link(self.peek(), "mark", "comma") and self._is_link(self.peek(1), "joins", "which"):
                 self.at += 1

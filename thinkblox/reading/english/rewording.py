@@ -10,6 +10,8 @@ _SIDES = ("left", "right", "front", "back", "leftmost", "rightmost")
 SHARES = ("third", "half", "part", "portion")
 """Parts of a top that are at a side of it."""
 _ONE = ("a", "one", "each", "every")
+_AT = ("at", "on", "for")
+_SEATS = {"places": "place", "seats": "seat", "settings": "setting"}
 _PARTED = (["low", "hanging"], ["high", "hanging"])
 """Words that are read as two, also where a hyphen joins them."""
 _OF_ROOM = ["of", "the", "room"]
@@ -31,6 +33,10 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "in"
         elif [word, *after[:1]] == ["other", "half"] and before == "the" and after[1:2] != ["of"]:
             read[at : at + 2] = ["others", "there"]
+        elif word == "a" and after[:1] == ["side"] and before.endswith("s") and _ends(tokens[at + 2 : at + 3]):
+            read[at] = "per"
+        elif word == "all" and before in _AT and after[:1] and after[0] in _SEATS:
+            read[at : at + 2] = ["every", _SEATS[after[0]]]
         elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
             read[at] = "daylight"
     parted = [words[at : at + 2] in _PARTED for at in range(len(words))]
@@ -38,3 +44,7 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
         for token, new, apart in zip(tokens, read, parted, strict=True)
     ]
+
+
+def _ends(after: Sequence[Token]) -> bool:
+    return all(token.kind == "mark" or token.text in ("and", "with", "plus") for token in after)
