@@ -57,13 +57,15 @@ def _on_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands at several walls is counted: six racks at three walls, two "per wall"."""
     made = list(chunks)
     for at in range(len(made) - 1, 1, -1):
-        things, walls = made[at - 2], made[at]
+        verb = at > _BOTH and is_link(made[at - 2], "verbs", "be", "stand", "hang")
+        first = at - 2 - verb
+        things, walls = made[first], made[at]
         if not isinstance(things, Noun) or things.kind != "thing" or not isinstance(walls, Noun) or not _is_wall(walls):
             continue
         several = walls.count or (_BOTH if walls.det in ("both", "each", "either") else 0)
         total = several * _at_each_wall(made[at + 1 : at + 5], things)
         if total and things.count in (None, total):
-            made[at - 2] = replace(things, count=total, plural=True)
+            made[first] = replace(things, count=total, plural=True)
             made[at + 1 : at + 5] = []
     return made
 

@@ -1,0 +1,44 @@
+"""What some of several do, in words that are names of things as well."""
+
+import pytest
+
+from thinkblox.reading import read_brief
+
+
+def told(prompt: str) -> set[str]:
+    """What was asked of how things stand to each other, in words."""
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    counts = {r.key: r.count for r in brief.requests}
+    return {f"{counts[r.subject]} {r.subject} {r.kind} {' '.join(r.anchors)}" for r in brief.relations if r.asked}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A room with four cabinets. Two of them stand against the left wall.", {"2 cabinet against_wall left_wall"}),
+        ("Four chairs. Two of them face the window.", {"2 chair facing window"}),
+        ("Six pictures, three of which hang on the left wall.", {"3 picture on left_wall"}),
+        (
+            "Four cabinets. Two of them stand against the left wall, the other two stand against the right wall; "
+            "one of these is empty.",
+            {
+                "2 cabinet against_wall left_wall",
+                "1 cabinet-2 against_wall right_wall",
+                "1 cabinet-3 against_wall right_wall",
+            },
+        ),
+        ("Twelve paintings hang on three walls, four per wall.", {"12 picture on wall"}),
+    ],
+)
+def test_verbs_after_some_of_them(prompt: str, relations: set[str]) -> None:
+    assert told(prompt) == relations
+
+
+def test_goal_speaks_of_what_is_there() -> None:
+    brief = read_brief(
+        "On the desk: 4 cubes (2 green, 2 yellow), a tray and a bin. "
+        "The arm should place green cubes in the tray and yellow cubes in the bin."
+    )
+    assert sum(r.count for r in brief.requests if r.category == "cube") == 4
+    assert not any(r.kind == "inside" for r in brief.relations if r.asked)
