@@ -118,3 +118,22 @@ def test_booths_at_windows_have_all_their_benches() -> None:
 def test_verb_is_left_out_before_just() -> None:
     brief = read_brief("Two desks. The one on the left has two lamps, the one on the right just a typewriter.")
     assert ("typewriter", "on", ("desk-2",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("Five rows of two desks. Every desk in the first row has a microscope on it.", "microscope", 2),
+        ("Two rows of three desks. Put a lamp on each desk of the first row.", "desk_lamp", 3),
+    ],
+)
+def test_those_of_one_row(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert any("the first row" in said for said in brief.unknown)
+
+
+def test_looks_of_one_row() -> None:
+    brief = read_brief("Three rows of four chairs. The chairs in the last row are red.")
+    assert {r.attributes: r.count for r in brief.requests} == {("red",): 4, (): 8}
+    assert any("the last row" in said for said in brief.unknown)

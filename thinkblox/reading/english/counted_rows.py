@@ -1,5 +1,6 @@
 """Rows or walls of which is told afterwards how many each has: "four rows of desks, five desks per row"."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,11 +13,13 @@ _PER = ("per", "in", "to", "on")
 _OF = ("of", "in")
 _FACING = ("left_wall", "right_wall")
 _BOTH = 2
+_ROW = re.compile(r"(?:in|of|from) the (?:first|second|third|fourth|fifth|last|front|back|middle|rear) (?:row|column)")
+"""What says in which row something is."""
 
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _on_walls(_joined_walls(_one_of_each(_told_rows(_of_columns(chunks)))))
+    chunks = _on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks))))))
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -51,6 +54,33 @@ def _one_of_each(chunks: Sequence[Chunk]) -> list[Chunk]:
             count, text = lines[row.word], f"{lines[row.word]} of the {one.word}s"
             some = replace(one, count=count, text=text, of_known=True, plural=True, ordinal=0, side="")
             made[at : at + 3] = [some, Stray(link.start, row.end, f"of {row.text}")]
+    return made
+
+
+def _of_one_row(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "every desk in the first row" is so many desks as a row has; which row is not understood."""
+    made: list[Chunk] = []
+    each: dict[str, int] = {}
+    at = 0
+    while at < len(chunks):
+        chunk = chunks[at]
+        if isinstance(chunk, Noun) and chunk.rows > 1 and chunk.count and not chunk.count % chunk.rows:
+            each[chunk.value] = chunk.count // chunk.rows
+        after, row = (*chunks[at + 1 : at + 3], None, None)[:2]
+        lost = isinstance(after, Stray) and _ROW.fullmatch(after.text.lower()) is not None
+        of = isinstance(row, Noun) and row.rows == 1 and row.ordinal != 0 and is_link(after, "prepositions", *_OF)
+        several = isinstance(chunk, Noun) and (chunk.det == "each" or (chunk.det == "the" and chunk.plural))
+        if (lost or of) and several and isinstance(chunk, Noun) and chunk.value in each:
+            count = each[chunk.value]
+            text = f"{count} of the {chunk.word}s"
+            made.append(replace(chunk, det="the", count=count, text=text, of_known=True, plural=count > 1, every=0))
+            at += 1
+            if of and after is not None and row is not None:
+                made.append(Stray(after.start, row.end, f"of {getattr(row, 'text', '')}"))
+                at += 2
+        else:
+            made.append(chunk)
+            at += 1
     return made
 
 
