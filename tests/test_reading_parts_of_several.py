@@ -41,3 +41,20 @@ def test_goal_speaks_of_what_is_there() -> None:
     )
     assert sum(r.count for r in brief.requests if r.category == "cube") == 4
     assert not any(r.kind == "inside" for r in brief.relations if r.asked)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "blue"),
+    [
+        ("A sofa, two armchairs and a rug, all blue.", {"sofa", "armchair", "rug"}),
+        ("A bed. A desk and a chair, both blue.", {"desk", "chair"}),
+        ("A table, a chair and a stool, both blue.", {"chair", "stool"}),
+        ("A table with four chairs, all blue.", {"chair"}),
+        ("Two sofas and three chairs, all blue.", {"sofa", "chair"}),
+        ("A sofa, two chairs and a blue rug.", {"rug"}),
+    ],
+)
+def test_all_of_a_list_look_so(prompt: str, blue: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category for r in brief.requests if "blue" in r.attributes} == blue
+    assert not brief.unknown
