@@ -58,3 +58,21 @@ def test_all_of_a_list_look_so(prompt: str, blue: set[str]) -> None:
     brief = read_brief(prompt)
     assert {r.category for r in brief.requests if "blue" in r.attributes} == blue
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "states"),
+    [
+        ("Three dirty and two clean plates.", {"dirty": 3, "clean": 2}),
+        ("Two open and one closed box.", {"open": 2, "closed": 1}),
+        ("In the sink are four plates, two bowls and a pan, all dirty.", {"dirty": 7}),
+    ],
+)
+def test_states_tell_several_apart(prompt: str, states: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    found: dict[str, int] = {}
+    for request in brief.requests:
+        for state in request.states:
+            found[state] = found.get(state, 0) + request.count
+    assert found == states
+    assert not brief.people
