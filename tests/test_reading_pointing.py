@@ -30,3 +30,10 @@ def test_another_in_another_place_is_not_asked_about() -> None:
     brief = read_brief("The desk is by the window. A desk for the children stands by the door.")
     assert not brief.unknown
     assert sum(r.count for r in brief.requests if r.category == "desk") == 2
+
+
+def test_long_one_is_the_table_that_is_long() -> None:
+    brief = read_brief("Ten round tables and a long table. On every round table is a vase, on the long one a book.")
+    assert not brief.unknown
+    assert brief.request("vase").count == 10
+    assert ("book", "on", ("dining_table-2",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}

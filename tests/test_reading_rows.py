@@ -86,3 +86,54 @@ def test_contracted_verb_is_no_name() -> None:
     brief = read_brief("The wardrobe they'd share stands between the beds.")
     assert [(r.category, r.count) for r in brief.requests if r.asked] == [("wardrobe", 1), ("bed", 2)]
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("Cabinets line the left and the right wall, three on each.", {"left_wall": 3, "right_wall": 3}),
+        ("Cabinets stand along the left wall and the right wall, two on each.", {"left_wall": 2, "right_wall": 2}),
+        ("Four cabinets along the left and the right wall.", {"left_wall": 2, "right_wall": 2}),
+    ],
+)
+def test_left_and_right_wall(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    numbers = {r.key: r.count for r in brief.requests}
+    assert {r.anchors[0]: numbers[r.subject] for r in brief.relations if r.kind == "against_wall"} == counts
+    assert not brief.unknown
+
+
+def test_rows_told_between_dashes() -> None:
+    brief = read_brief("Rows of chairs - four rows of five - face the lectern. Every seat has a catalogue on it.")
+    assert (brief.request("chair").count, brief.request("magazine").count) == (20, 20)
+    assert not brief.unknown
+
+
+def test_booths_at_windows_have_all_their_benches() -> None:
+    brief = read_brief("Along the windows run four booths, each consisting of a table and two benches.")
+    assert (brief.request("dining_table").count, brief.request("bench").count) == (4, 8)
+    assert not brief.unknown
+
+
+def test_verb_is_left_out_before_just() -> None:
+    brief = read_brief("Two desks. The one on the left has two lamps, the one on the right just a typewriter.")
+    assert ("typewriter", "on", ("desk-2",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("Five rows of two desks. Every desk in the first row has a microscope on it.", "microscope", 2),
+        ("Two rows of three desks. Put a lamp on each desk of the first row.", "desk_lamp", 3),
+    ],
+)
+def test_those_of_one_row(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert any("the first row" in said for said in brief.unknown)
+
+
+def test_looks_of_one_row() -> None:
+    brief = read_brief("Three rows of four chairs. The chairs in the last row are red.")
+    assert {r.attributes: r.count for r in brief.requests} == {("red",): 4, (): 8}
+    assert any("the last row" in said for said in brief.unknown)

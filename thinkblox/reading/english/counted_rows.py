@@ -1,5 +1,6 @@
 """Rows or walls of which is told afterwards how many each has: "four rows of desks, five desks per row"."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -10,12 +11,15 @@ _A_ROW = -1
 """How many rows "per row" and "in each row" name."""
 _PER = ("per", "in", "to", "on")
 _OF = ("of", "in")
+_FACING = ("left_wall", "right_wall")
 _BOTH = 2
+_ROW = re.compile(r"(?:in|of|from) the (?:first|second|third|fourth|fifth|last|front|back|middle|rear) (?:row|column)")
+"""What says in which row something is."""
 
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _on_walls(_one_of_each(_of_columns(chunks)))
+    chunks = _on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks))))))
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -53,17 +57,76 @@ def _one_of_each(chunks: Sequence[Chunk]) -> list[Chunk]:
     return made
 
 
+def _of_one_row(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "every desk in the first row" is so many desks as a row has; which row is not understood."""
+    made: list[Chunk] = []
+    each: dict[str, int] = {}
+    at = 0
+    while at < len(chunks):
+        chunk = chunks[at]
+        if isinstance(chunk, Noun) and chunk.rows > 1 and chunk.count and not chunk.count % chunk.rows:
+            each[chunk.value] = chunk.count // chunk.rows
+        after, row = (*chunks[at + 1 : at + 3], None, None)[:2]
+        lost = isinstance(after, Stray) and _ROW.fullmatch(after.text.lower()) is not None
+        of = isinstance(row, Noun) and row.rows == 1 and row.ordinal != 0 and is_link(after, "prepositions", *_OF)
+        several = isinstance(chunk, Noun) and (chunk.det == "each" or (chunk.det == "the" and chunk.plural))
+        if (lost or of) and several and isinstance(chunk, Noun) and chunk.value in each:
+            count = each[chunk.value]
+            text = f"{count} of the {chunk.word}s"
+            made.append(replace(chunk, det="the", count=count, text=text, of_known=True, plural=count > 1, every=0))
+            at += 1
+            if of and after is not None and row is not None:
+                made.append(Stray(after.start, row.end, f"of {getattr(row, 'text', '')}"))
+                at += 2
+        else:
+            made.append(chunk)
+            at += 1
+    return made
+
+
+def _told_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "rows of chairs - four rows of five -" are as many as is told between the marks."""
+    made = list(chunks)
+    for at in range(len(made) - 3, -1, -1):
+        things, mark, told, end = made[at], made[at + 1], made[at + 2], made[at + 3 : at + 4]
+        if not isinstance(things, Noun) or not isinstance(told, Noun) or things.rows != _A_ROW or things.count:
+            continue
+        if told.kind == "number" and told.rows > 0 and told.count and is_link(mark, "mark", "dash", "open", "comma"):
+            closed = bool(end) and is_link(end[0], "mark", "dash", "close", "comma")
+            made[at : at + 3 + closed] = [replace(things, rows=told.rows, count=told.count, end=told.end)]
+    return made
+
+
+def _joined_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "the left and the right wall" are two walls, as "the left and right walls" are."""
+    made = list(chunks)
+    for at in range(len(made) - 3, 0, -1):
+        one, joint, wall, after = made[at], made[at + 1], made[at + 2], made[at + 3 : at + 4]
+        if not isinstance(one, Noun) or not isinstance(wall, Noun) or not is_link(joint, "joins", "and"):
+            continue
+        named = one.kind == "part" or (_is_wall(one) and (not after or is_link(after[0], "mark")))
+        two = {f"{one.value.removesuffix('_wall')}_wall", wall.value} == {*_FACING} and one.det == wall.det == "the"
+        led = is_link(made[at - 1], "prepositions", "on", "along", "against", "at") or is_link(made[at - 1], "verbs")
+        if named and two and led and wall.kind == "place":
+            text = "the left and right walls"
+            made[at : at + 3] = [replace(wall, value=" ".join(_FACING), start=one.start, text=text, plural=True)]
+    return made
+
+
 def _on_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands at several walls is counted: six racks at three walls, two "per wall"."""
     made = list(chunks)
     for at in range(len(made) - 1, 1, -1):
-        things, walls = made[at - 2], made[at]
+        verb = at > _BOTH and is_link(made[at - 2], "verbs", "be", "stand", "hang")
+        first = at - 2 - verb
+        things, walls = made[first], made[at]
         if not isinstance(things, Noun) or things.kind != "thing" or not isinstance(walls, Noun) or not _is_wall(walls):
             continue
-        several = walls.count or (_BOTH if walls.det in ("both", "each", "either") else 0)
+        both = walls.det in ("both", "each", "either") or walls.value == " ".join(_FACING)
+        several = walls.count or (_BOTH if both else 0)
         total = several * _at_each_wall(made[at + 1 : at + 5], things)
         if total and things.count in (None, total):
-            made[at - 2] = replace(things, count=total, plural=True)
+            made[first] = replace(things, count=total, plural=True)
             made[at + 1 : at + 5] = []
     return made
 
@@ -71,7 +134,9 @@ def _on_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _at_each_wall(said: Sequence[Chunk], things: Noun) -> int:
     """The two of ", two racks per wall"; 0 where that does not come."""
     mark, number, link, wall = (*said, None, None, None, None)[:4]
-    if not isinstance(number, Noun) or not isinstance(wall, Noun) or not _is_wall(wall):
+    if not isinstance(number, Noun) or not isinstance(wall, Noun):
+        return 0
+    if not (_is_wall(wall) or (wall.value == "each" and is_link(link, "prepositions", "on", "at", "along"))):
         return 0
     alike = number.kind == "number" or (number.kind == "thing" and number.word == things.word)
     plain = not (number.attributes or number.unshown or number.det or number.of_known)

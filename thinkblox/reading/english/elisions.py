@@ -159,12 +159,12 @@ def _lacks_noun(said: Noun) -> bool:
         return bool(said.looks)
     plain = not (said.of_known or said.ordinal or said.side or said.rows or said.share or said.every)
     counted = said.kind == "number" and said.count is not None and plain and not said.least
-    return counted and bool(said.attributes or said.unshown) and said.word not in ("one", "ones")
+    return counted and bool(said.attributes or said.unshown or said.states) and said.word not in ("one", "ones")
 
 
 def _lends(other: Noun) -> bool:
     """Whether it is a thing of which a look is told as well."""
-    told = other.attributes or other.unshown
+    told = other.attributes or other.unshown or other.states
     return other.kind == "thing" and bool(told) and (other.det in _DETERMINED or other.count is not None)
 
 
@@ -181,7 +181,8 @@ def _is_told_apart(before: Sequence[Chunk], other: Noun) -> bool:
 def _borrowed(said: Noun, other: Noun) -> Noun:
     """The phrase with the noun of the other; what is told of the other is not told of it."""
     words = other.text.split()
-    head = words[1 + len(other.attributes) + len(other.unshown) :] or words[-1:]
+    told = [*other.attributes, *other.unshown, *other.states]
+    head = words[1 + len(told) :] or words[-1:]
     looks = said.looks or said.attributes
     head = head if (said.count or 1) > 1 else [*head[:-1], singular(head[-1])]
     text = f"{said.text} {' '.join(head)}"

@@ -60,6 +60,7 @@ class Groups(Descriptions):
         self.draft.drop(group)
         self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
         self.clause = frame
+        self.front = [] if frame.inherited else self.front
         self.frontier = []
         self.subject = None
         self.pending = frame

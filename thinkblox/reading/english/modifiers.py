@@ -75,6 +75,7 @@ class Modifiers(Quantities):
                 noun.styles.append(entry.value)
                 word = self._text(at, at + known.length).lower()
                 noun.unshown += [word] if "pattern" in adjective_kinds(word) else []
+                noun.states += [word] if is_state else []
 
     def _forget(self, noun: Noun) -> None:
         noun.attributes.clear()

@@ -77,6 +77,7 @@ def _tell_whole(chunks: list[Chunk], at: int, part: Noun, whole: Noun) -> None:
 
 def _put_verb(chunks: list[Chunk], at: int, after: int) -> None:
     """Say once more what is left out in "the left one has a lamp, the right one a book"."""
+    after += int(after < len(chunks) and (_is(chunks[after], "fillers") or _is_only(chunks[after])))
     noun, comma = chunks[after] if after < len(chunks) else None, chunks[at - 1]
     verb = next((c for c in reversed(chunks[:at]) if _is(c, "verbs") or _is_end(c)), None)
     listed = isinstance(comma, Connector) and comma.value in ("comma", "and", "semicolon", "but")
@@ -120,6 +121,10 @@ def _length(chunks: Sequence[Chunk], at: int) -> int:
 
 def _is(chunk: Chunk, *sorts: str) -> bool:
     return isinstance(chunk, Connector) and chunk.sort in sorts
+
+
+def _is_only(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort == "negations" and chunk.value == "only"
 
 
 def _is_end(chunk: Chunk) -> bool:

@@ -228,7 +228,8 @@ class PhraseReader(Heads):
         return grammar().at(self.tokens, after, "evaluative") is not None and self._starts_noun(after + 1)
 
     def _units(self, noun: Noun, at: int, units: Units) -> int:
-        if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
+        of_them = noun.of_known and self.tokens[at - 1].text in ("them", "these", "those", "which")
+        if (noun.ordinal or of_them) and grammar().at(self.tokens, at, "verbs", "participles") is not None:
             return at
         while at < len(self.tokens) and self.tokens[at].kind != "mark" and not self._is_unread(at):
             length = self._unit(noun, at, units)

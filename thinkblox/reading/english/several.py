@@ -184,7 +184,10 @@ class Several(Boundaries):
             return None
         alike = [t for t in self.draft.things if t.asked and t not in besides and looks <= set(t.attributes)]
         only = alike[0] if len(alike) == 1 else None
-        return only if only is not None and only.many == noun.plural and self.referents.is_apart(only) else None
+        if only is None or only.many != noun.plural:
+            return None
+        kin = any(t is not only and t.noun == only.noun for t in self.draft.things)
+        return only if kin or self.referents.is_apart(only) else None
 
     def _those(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The ones of "two of them have cushions; between those two ...", that were told apart last."""

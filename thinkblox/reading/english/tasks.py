@@ -82,6 +82,7 @@ def _aim(chunks: Sequence[Chunk], at: int) -> list[Chunk]:
     chunk = chunks[at]
     if isinstance(chunk, Noun) and chunk.kind == "thing" and _words(chunk) not in grammar().lists["moving"]:
         before = chunks[at - 1]
+        chunk = replace(chunk, det="the") if not chunk.det and chunk.plural and chunk.count is None else chunk
         taken = is_link(before, "prepositions", "from")
         stop = Connector("mark", "stop", chunk.start, chunk.start)
         return [chunk] if taken else [stop, Connector("fillers", _GOAL, chunk.start, chunk.start), chunk]
