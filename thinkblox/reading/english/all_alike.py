@@ -19,7 +19,9 @@ def with_all_alike(chunks: Sequence[Chunk]) -> list[Chunk]:
             after += 2
         if _is_look(made[after:]):
             said = made[at]
-            made[at : at + 1] = [Noun("pronoun", "all", said.start, made[after].start, "all", det="all")]
+            made[at : at + 1] = [
+                Noun("pronoun", "all", said.start, made[after].start, "all", det=said.text.lower().partition(" ")[0])
+            ]
             del made[at + 1 : after]
             return [*made[: at + 1], *with_all_alike(made[at + 1 :])]
     return made

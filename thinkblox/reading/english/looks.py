@@ -46,22 +46,10 @@ class Descriptions(Rooms):
                 self.account.mark(said.start, said.end, "style")
             return
         looks = self._looks_of(said, denied=self.negating)
-        for thing in (self.subject or node).things if self.predicate else self._all_listed(node):
+        for thing in (self.subject or node).things if self.predicate else node.things:
             thing.attributes += looks
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
-
-    def _all_listed(self, node: Node) -> list[Mention]:
-        """What "all blue" is said of: of a list that ends in one thing, or of which each is several, everything."""
-        said = self._before()
-        word = said.text.lower() if isinstance(said, Connector) and said.sort == "fillers" else ""
-        members = [t for t in node.frame.members if t in self.draft.things] if node.frame is not None else []
-        if word not in ("all", "both") or not self._is_link(self._before(2), "mark") or node.things != members[-1:]:
-            return node.things
-        if word == "both":
-            two = members[-len(("one", "other")) :]
-            return two if not any(thing.many for thing in two) else node.things
-        return members if not members[-1].many or all(thing.many for thing in members) else node.things
 
     def _says_how_high(self, said: Adjective) -> bool:
         """Say of "mounted high on the wall" that we do not see to it."""

@@ -59,7 +59,7 @@ class Pronouns(Numbers):
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
-        members = [t for t in self.clause.members if t in self.draft.things]
+        members = self._listed_last(both=noun.det == "both")
         parts = [t for member in members for t in self.referents.family(member)]
         things = list(dict.fromkeys(parts)) if noun.text.lower() == "all" else members
         things = [thing for thing in things if thing is not self._looked_at()] if len(things) > 1 else things
@@ -70,6 +70,15 @@ class Pronouns(Numbers):
         elif self._is_link(self.peek(), "verbs"):
             self._resume(self.referents.listed or list(self.referents.several([], "")), noun)
             self.each = any(thing.many for node in self.frontier for thing in node.things)
+
+    def _listed_last(self, *, both: bool) -> list[Mention]:
+        """What "all" are said of: the innermost list that is several; "both" are its last two single things."""
+        frame = self.frontier[-1].frame if self.frontier else None
+        listed = [t for t in frame.members if t in self.draft.things] if frame is not None else []
+        if len(listed) < _PAIR and not any(thing.many for thing in listed):
+            listed = [t for t in self.clause.members if t in self.draft.things]
+        last = listed[-_PAIR:]
+        return last if both and not any(thing.many for thing in last) else listed
 
     def _looked_at(self) -> Mention | None:
         """The television of "a TV and two sofas, all facing the TV"."""
