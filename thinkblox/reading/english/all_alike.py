@@ -12,25 +12,27 @@ def with_all_alike(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "all" before a look, after what it is said of, stands for all of these."""
     made = list(chunks)
     for at in range(2, len(made) - 1):
-        if not _is_all(made[at]) or not _ends_list(made[:at]):
+        word = _all(made[at])
+        if not word or not _ends_list(made[:at]):
             continue
         after = at + 1
         if is_link(made[after], "prepositions", "of") and _is_them(made[after + 1 : after + 2]):
             after += 2
         if _is_look(made[after:]):
             said = made[at]
-            made[at : at + 1] = [
-                Noun("pronoun", "all", said.start, made[after].start, "all", det=said.text.lower().partition(" ")[0])
-            ]
+            made[at : at + 1] = [Noun("pronoun", "all", said.start, made[after].start, "all", det=word)]
             del made[at + 1 : after]
             return [*made[: at + 1], *with_all_alike(made[at + 1 :])]
     return made
 
 
-def _is_all(chunk: Chunk) -> bool:
-    if isinstance(chunk, Noun):
-        return chunk.kind == "pronoun" and chunk.text.lower().partition(" ")[0] in _ALL
-    return isinstance(chunk, Connector) and chunk.sort == "fillers" and chunk.text.lower() in _ALL
+def _all(chunk: Chunk) -> str:
+    """The word "all" or "both", where that stands for what was named; empty for anything else."""
+    pronoun = isinstance(chunk, Noun) and chunk.kind == "pronoun"
+    if not isinstance(chunk, (Noun, Connector)) or not (pronoun or is_link(chunk, "fillers")):
+        return ""
+    word = chunk.text.lower().partition(" ")[0]
+    return word if word in _ALL else ""
 
 
 def _ends_list(before: Sequence[Chunk]) -> bool:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
@@ -59,7 +59,9 @@ class Pronouns(Numbers):
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
-        members = self._listed_last(both=noun.det == "both")
+        members = [t for t in self.clause.members if t in self.draft.things]
+        if self._is_link(self.peek(), "fillers") or isinstance(self.peek(), Adjective):
+            members = self._listed_last(members, both=noun.det == "both")
         parts = [t for member in members for t in self.referents.family(member)]
         things = list(dict.fromkeys(parts)) if noun.text.lower() == "all" else members
         things = [thing for thing in things if thing is not self._looked_at()] if len(things) > 1 else things
@@ -71,12 +73,12 @@ class Pronouns(Numbers):
             self._resume(self.referents.listed or list(self.referents.several([], "")), noun)
             self.each = any(thing.many for node in self.frontier for thing in node.things)
 
-    def _listed_last(self, *, both: bool) -> list[Mention]:
-        """What "all" are said of: the innermost list that is several; "both" are its last two single things."""
+    def _listed_last(self, members: list[Mention], *, both: bool) -> list[Mention]:
+        """What "all red" is said of: the innermost list that is several; "both" are its last two single things."""
         frame = self.frontier[-1].frame if self.frontier else None
         listed = [t for t in frame.members if t in self.draft.things] if frame is not None else []
         if len(listed) < _PAIR and not any(thing.many for thing in listed):
-            listed = [t for t in self.clause.members if t in self.draft.things]
+            listed = members
         last = listed[-_PAIR:]
         return last if both and not any(thing.many for thing in last) else listed
 
