@@ -93,7 +93,7 @@ class Ties(Relating):
         if frame.kind == "with" and not (frame.each or frame.closing) and self._is_link(self._told_at_end(), *_ON_IT):
             return True
         inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
-        if inverse and told and self.separator == "comma_and":
+        if inverse and self.separator in ("comma", "comma_and") and (told or self._is_of_its_own(frame, thing)):
             return False
         if told is not None:
             return told
@@ -101,6 +101,14 @@ class Ties(Relating):
             return False
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_of_its_own(self, frame: Listed, thing: Mention) -> bool:
+        """Whether it is a piece of furniture unlike what surrounds or parts something: "by six chairs, a cabinet"."""
+        others = [member for member in frame.members if member is not thing]
+        seats = bool(others) and all(self.habits.is_in(t.noun, "seats") for t in (others[0], thing))
+        alike = bool(others) and (others[0].noun == thing.noun or seats)
+        stands = kind_of(thing.noun).mount == "floor"
+        return bool(others) and not alike and (not stands or self.habits.is_in(thing.noun, *FURNITURE))
 
     def _is_one_more_of_list(self, frame: Listed, head: Mention, thing: Mention) -> bool:
         return self._is_listed_for_each(frame, thing) or self._fits_in(frame, head, thing)
