@@ -155,6 +155,7 @@ def test_so_many_at_sides_seats_walls_and_corners_are_there(prompt: str, relatio
     ("prompt", "said"),
     [
         ("A sofa. Opposite the sofa, at 2.5 meters, a TV.", "2.5 meters"),
+        ("A kids room with a bunk bed. A teddy bear on the lower bunk.", "on the lower bunk"),
         ("A gallery. Two paintings on each wall except the door wall.", "except the door wall"),
     ],
 )
@@ -165,3 +166,26 @@ def test_exact_distances_and_walls_left_out_are_told(prompt: str, said: str) -> 
 def test_the_left_two_of_four_are_two_of_them() -> None:
     brief = read_brief("A room with four chairs. The left two chairs are red.")
     assert [(r.count, r.attributes) for r in brief.requests] == [(2, ("red",)), (2, ())]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A dining table surrounded by six chairs, a chandelier hanging above the table, and a china cabinet.",
+            "6 chair around dining_table, 1 chandelier above dining_table",
+        ),
+        (
+            "Two beds separated by a nightstand with a phone, a desk with a chair against the wall.",
+            "1 nightstand between bed, 1 phone on nightstand, 1 chair at desk, 1 desk against_wall wall",
+        ),
+        (
+            "A fountain surrounded by benches, trees and lamps.",
+            "2 bench around fountain, 3 plant around fountain, 2 floor_lamp around fountain",
+        ),
+    ],
+)
+def test_what_surrounds_something_ends_with_furniture_unlike_it(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert set(related(brief)) == set(relations.split(", "))
+    assert brief.unknown == ()

@@ -106,6 +106,7 @@ class Meanings:
             meaning.kind = "on"
         meaning.loose |= meaning.kind == "on" and where.text.lower().startswith("inside")
         said = where.whole or where.noun
+        meaning.loose |= said is not None and _is_one_of_levels(said)
         meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
         return meaning
 
@@ -768,6 +769,12 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def _is_one_of_levels(said: Noun) -> bool:
+    """Whether it is one of several that are above each other in one thing: "the lower bunk"."""
+    words = said.text.lower().split()
+    return said.word in grammar().lists["levels_of"] and not grammar().lists["ranks"].isdisjoint(words)
 
 
 def _at_place(*bonds: Bond) -> bool:
