@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,8 @@ from thinkblox.training.render_reward import RenderReward
 
 pytest.importorskip("openai")
 YES = {"Yes": math.log(0.8), "No": math.log(0.2)}
-QUICK = Asking(temperature=0.0, seconds=0.5, retries=0, at_once=3)
+PATIENT = Asking(temperature=0.0, seconds=60.0, retries=0, at_once=3)
+QUICK = replace(PATIENT, seconds=0.5)
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +43,7 @@ def server() -> Iterator[Stub]:
         yield made
 
 
-def rewards(server: Stub, rollouts: list[Rollout], asking: Asking = QUICK) -> list[float | None]:
+def rewards(server: Stub, rollouts: list[Rollout], asking: Asking = PATIENT) -> list[float | None]:
     return RenderReward(PictureJudge(server.spec, asking=asking), size=64)(outcome=rollouts)
 
 
@@ -64,13 +66,13 @@ def test_no_more_requests_than_allowed_are_under_way(rollouts: list[Rollout]) ->
 
         made.reply = late  # type: ignore[method-assign]
         assert rewards(made, rollouts[:3] * 4) == pytest.approx([0.8] * 12)
-    assert 1 < made.busiest <= QUICK.at_once
+    assert 1 < made.busiest <= PATIENT.at_once
 
 
 def test_what_is_not_answered_has_no_reward(server: Stub, rollouts: list[Rollout]) -> None:
     server.first = [error(500, "no")]
     logged: dict[str, float] = {}
-    judge = RenderReward(PictureJudge(server.spec, asking=QUICK), size=64)
+    judge = RenderReward(PictureJudge(server.spec, asking=PATIENT), size=64)
     found = judge(outcome=rollouts, log_metric=logged.__setitem__)
     assert sorted(found, key=str) == pytest.approx([0.0, 0.8, 0.8, None])
     assert logged == {"unanswered/render:stub": pytest.approx(1 / 3)}
@@ -84,7 +86,7 @@ def test_a_judge_that_hangs_ends_the_training_instead_of_it(server: Stub, rollou
     assert judge(outcome=rollouts) == [None, None, None, 0.0]
     with pytest.raises(UnavailableError, match=r"in time.*all of 3, 3 times in a row"):
         judge(outcome=rollouts)
-    assert time.monotonic() - start < 10.0
+    assert time.monotonic() - start < 25.0
 
 
 def test_a_judge_that_cannot_judge_is_found_out_at_once(server: Stub) -> None:

@@ -180,12 +180,20 @@ def test_the_left_two_of_four_are_two_of_them() -> None:
             "1 nightstand between bed, 1 phone on nightstand, 1 chair at desk, 1 desk against_wall wall",
         ),
         (
+            "Two nightstands each holding a lamp, a bench at the foot of the bed.",
+            "2 table_lamp on nightstand, 1 bench at_foot_of bed",
+        ),
+        (
+            "A living room with a sofa, a bookshelf in the corner with a plant next to it.",
+            "1 bookcase in_corner corner, 1 plant next_to bookcase",
+        ),
+        (
             "A fountain surrounded by benches, trees and lamps.",
             "2 bench around fountain, 3 plant around fountain, 2 floor_lamp around fountain",
         ),
     ],
 )
-def test_what_surrounds_something_ends_with_furniture_unlike_it(prompt: str, relations: str) -> None:
+def test_lists_end_where_something_else_is_told(prompt: str, relations: str) -> None:
     brief = read_brief(prompt)
     assert set(related(brief)) == set(relations.split(", "))
     assert brief.unknown == ()

@@ -129,7 +129,7 @@ class Subjects(Having):
             return False
         lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
-        within &= where.word in _BY_OWNER
+        within &= where.word in _BY_OWNER and not self.habits.is_in(thing.noun, "plants", "lamps")
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
     def _is_at_foot_of_another(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:

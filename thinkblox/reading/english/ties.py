@@ -227,10 +227,19 @@ class Ties(Relating):
             case "thing" if noun.definite:
                 return self._is_beside_with(frame, thing, noun) or self._is_of(frame, thing, noun)
             case "part":
-                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, thing, index, noun)
+                of_head = self._lies_by_part(frame, thing, index) or self._is_part_of(frame, thing, index, noun)
+                return not self._is_part_of_another(frame, index + 2) and of_head
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
+
+    def _is_part_of_another(self, frame: Listed, at: int) -> bool:
+        """Whether a part is told to be of something that is not the head: "a bench at the foot of the bed"."""
+        whole = self._next_noun(at + 1) if self._is_link(self.peek(at), "prepositions", "of") else None
+        head = frame.head.thing if frame.head is not None else None
+        if whole is None or whole.kind != "thing" or whole.det != "the" or self.separator == "and" or head is None:
+            return False
+        return whole.value != head.noun and self.referents.named(whole) not in (head, *frame.members)
 
     def _is_beside_with(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         """Whether the owner is beside furniture: "a table with a jug and two glasses beside the swing"."""
