@@ -100,7 +100,9 @@ def test_what_fails_for_a_while_is_asked_again(status):
     [
         (error(401, "Bad key"), UnavailableError, "wants a key .*set THINKBLOX_API_KEY"),
         (error(404, "The model `stub` does not exist"), UnavailableError, "has no model 'stub'.* ends in /v1"),
-        (error(429, "quota"), NoAnswerError, "asked too often.*quota"),
+        (error(429, "quota"), NoAnswerError, "asked too often.*quota.*again later"),
+        (error(429, "quota", ("Retry-After", "3600")), NoAnswerError, "again in 3600 s, as it says"),
+        (error(429, "quota", ("Retry-After", "sk-1 \x1b")), NoAnswerError, "again later$"),
         (error(500, "CUDA out of memory"), NoAnswerError, "status 500 .CUDA out of memory"),
         (error(400, "maximum context length is 8"), NoAnswerError, "status 400 .*maximum context length"),
         (Reply(status=502, body=b"<html>\x1b[31mBad gateway</html>", kind="text/html"), NoAnswerError, "Bad gateway"),

@@ -76,3 +76,8 @@ def test_of_the_expert_nothing_of_it_is_said(tmp_path, capsys):
     main(["generate", PROMPT, "--fill", "named", "--no-pictures", "--out", str(tmp_path / "room")])
     told = capsys.readouterr()
     assert "model" not in told.out + told.err
+
+
+def test_what_found_no_place_counts_as_not_where_the_model_said(babbled):
+    lost = [structs.replace(done, chosen=None) for done in babbled[0].trace[:3]]
+    assert whose(lost) == "where the model said: 0 of 1 object; not readable: 4 of 4 answers (format 4)"

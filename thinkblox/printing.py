@@ -53,7 +53,8 @@ def whose(rounds: Sequence[Round]) -> str:
     searched = [id for id, kind in placed.items() if kind != "policy"]
     answers = [tried for done in kept if done.kind == "policy" for tried in done.tries]
     unread = Counter(tried.rejection.reason for tried in answers if tried.rejection is not None)
-    says = f"where the model said: {len(placed) - len(searched)} of {len(placed)} objects"
+    count = len({done.id for done in kept})
+    says = f"where the model said: {len(placed) - len(searched)} of {count} object{'' if count == 1 else 's'}"
     says += f"; by a search instead: {in_short(searched)}" if searched else ""
     reasons = ", ".join(f"{reason} {count}" for reason, count in unread.most_common())
     return says + (f"; not readable: {unread.total()} of {len(answers)} answers ({reasons})" if unread else "")

@@ -59,7 +59,9 @@ def _refused(found: "openai.APIStatusError", where: str, model: str, said: str, 
                 " its URL ends in /v1"
             )
         case 429:
-            return NoAnswerError(f"{where}: was asked too often, or more than is paid for ({said}); try again later")
+            wait = found.response.headers.get("retry-after", "")
+            later = f"in {wait} s, as it says" if wait.isdecimal() and wait.isascii() else "later"
+            return NoAnswerError(f"{where}: was asked too often, or more than is paid for ({said}); try again {later}")
         case status if status >= 500:
             return NoAnswerError(f"{where}: failed with status {status} ({said}); see its log")
         case status if _SEEING.search(said):
