@@ -114,3 +114,23 @@ def test_a_room_of_another_size_than_asked_is_not_all_as_asked(tmp_path, capsys)
         assert main(["generate", prompt, *options]) == 1
     assert "6 m by 5 m (read as 4 m by 3 m)" in capsys.readouterr().out
     assert json.loads((out / "report.json").read_text())["unknown"] == ["6 m by 5 m (read as 4 m by 3 m)"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "told"),
+    [
+        ("A cafe with five round tables", {"bistro_table": 5}, ()),
+        ("A cafe with five dining tables", {"bistro_table": 5}, ("five dining tables (not read)",)),
+        ("A living room with a couch and a television", {"sofa": 1, "tv": 1}, ()),
+        ("A living room with a couch and a coffee table", {"sofa": 1, "desk": 1}, ("a coffee table (not read)",)),
+    ],
+)
+def test_a_thing_may_have_another_name_but_be_no_other_thing(prompt, things, told):
+    entries = [{"id": k, "category": k, "count": n, "attributes": ["round"]} for k, n in things.items()]
+    assert unknown({"objects": entries}, prompt) == told
+
+
+def test_a_look_may_be_said_in_more_words():
+    bed = {"id": "bed", "category": "bed", "attributes": ["king-size"]}
+    assert unknown({"objects": [bed]}, "A bedroom with a king size bed") == ()
+    assert unknown({"objects": [bed | {"attributes": []}]}, "A bedroom with a king size bed") != ()

@@ -89,11 +89,13 @@ class _Things:
 
     def _alike(self, category: str) -> list[Request]:
         """What the brief has of a category, and of such as are none of those that the prompt names besides."""
+        said = self._said[category]
+        asked = [r for r in self._brief.requests if r.asked]
         return [
             r
-            for r in self._brief.requests
-            if r.asked
-            and (r.category == category or (r.category not in self._said and _is_alike(r.category, category)))
+            for r in asked
+            if r.category == category
+            or (r.category not in self._said and (_is_alike(r.category, category) or _is_called_so(r.category, said)))
         ]
 
     def _of_relation(self, relation: Relation) -> Iterator[str]:
@@ -134,7 +136,8 @@ def _of_looks(said: Sequence[Request], meant: Sequence[Request], prompt: str) ->
     words = {word.lower() for r in meant for word in (*r.attributes, *r.unshown, *r.states)}
     for request in said if meant else ():
         told = (*request.attributes, *request.unshown, *request.states)
-        if lost := [word for word in told if word.lower() in prompt and word.lower() not in words]:
+        told = tuple(word.lower() for word in told)
+        if lost := [word for word in told if word in prompt and not any(word in each for each in words)]:
             yield f"{request.phrase} (read without {', '.join(lost)})"
         if not any(_is_of_size(other, request) for other in meant):
             yield f"{request.phrase} (read with another size)"
@@ -151,6 +154,13 @@ def _is_known(category: str) -> bool:
 
 def _is_alike(one: str, other: str) -> bool:
     return are_alike(one, other) or counts_as(one, other) or counts_as(other, one)
+
+
+def _is_called_so(category: str, said: Sequence[Request]) -> bool:
+    """Whether a <bistro_table> is what the prompt calls just "tables", of which the grammar has its own idea."""
+    head = category.rpartition("_")[2]
+    phrases = [request.phrase.lower() for request in said if request.category.replace("_", " ") not in request.phrase]
+    return any(phrase.rpartition(" ")[2].startswith(head) for phrase in phrases)
 
 
 def _same(have: Sequence[float], said: Sequence[float]) -> bool:
