@@ -88,6 +88,11 @@ def test_rooms_are_made_judged_and_judged_again(tmp_path, annotations):
     rejudged = json.loads(again.stdout)["judgements"]
     assert [entry["rows"] for entry in rejudged] == [entry["rows"] for entry in written["judgements"]]
 
+    (out / "rooms" / "chair" / "report.json").unlink()
+    alone = evaluate("--annotations", annotations, "--rooms", out / "rooms", "--only", "chair", "--json")
+    (unreported,) = json.loads(alone.stdout)["judgements"]
+    assert unreported == rejudged[0] | {"complete": None, "valid": None, "seconds": unreported["seconds"]}
+
     refused = evaluate("--annotations", annotations, "--out", out)
     assert refused.returncode == 2
     assert "holds an evaluation" in refused.stderr

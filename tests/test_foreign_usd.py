@@ -277,3 +277,33 @@ def test_what_is_left_to_the_engine_is_no_fault(tmp_path: Path) -> None:
     through = prim("Xform", "thing", BODY, AT.format(0, 0, 0), "float physics:mass = 1", cube("a", 5))
     notes = opened(tmp_path, scene + through).notes
     assert any(note.startswith("Nothing fixed reaches lower than thing: a floor was put") for note in notes)
+
+
+def copies(model: str) -> str:
+    return prim(
+        "PointInstancer", "many", "", "rel prototypes = </many/one>", "int[] protoIndices = [0, 0]",
+        "point3f[] positions = [(0, 0, 1), (2, 0, 1)]", model,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["def", "class"])
+def test_copies_of_bodies_that_would_not_be_there_are_refused(tmp_path: Path, kind: str) -> None:
+    body = prim("Xform", "one", BODY, cube("box", 0.4)).replace("def Xform", f"{kind} Xform", 1)
+    with pytest.raises(thinkblox.InputError, match="/many: makes copies of /many/one, which has physics"):
+        opened(tmp_path, copies(body) + prim("Xform", "other", BODY, cube("box", 0.4)))
+
+
+def test_copies_of_what_is_only_seen_do_no_harm(tmp_path: Path) -> None:
+    leaf = prim("Cube", "one", "", "double size = 0.1")
+    subject = opened(tmp_path, copies(leaf) + prim("Xform", "pot", BODY, cube("box", 0.4)))
+    assert [thing.id for thing in subject.things] == ["pot"]
+
+
+def test_a_pose_that_changes_over_time_is_told_where_it_matters(tmp_path: Path) -> None:
+    moving = AT.format(0, 0, 0.2).replace("translate = (0, 0, 0.2)", "translate.timeSamples = {1: (0, 0, 1)}")
+    seen = prim("Xform", "bird", "", moving, prim("Cube", "look", "", "double size = 0.1"))
+    still = prim("Xform", "box", BODY, AT.format(0, 0, 0.2), cube("box", 0.4))
+    assert not any("over time" in note for note in opened(tmp_path, seen + still).notes)
+    cart = prim("Xform", "cart", "", moving, still)
+    told = next(note for note in opened(tmp_path, seen + cart).notes if "over time" in note)
+    assert told == "Moved over time, but measured where it stands without a time: /cart."

@@ -10,7 +10,7 @@ import pytest
 
 import thinkblox
 from thinkblox.chat import Message
-from thinkblox.errors import InputError
+from thinkblox.errors import InputError, NoAnswerError, UnavailableError
 from thinkblox.observe import Sight
 from thinkblox.placing import Effort
 from thinkblox.policies.chat_format import encode
@@ -236,9 +236,15 @@ def test_chats_of_text_alone_and_of_many_speakers_are_answered(tiny):
 def test_a_chat_that_is_too_long_is_refused(tmp_path):
     size = TinySize(hidden=16, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1, context=256)
     model = HfModel(build_tiny(tmp_path, size=size, texts=["a chair"]), max_new_tokens=4, device="cpu")
-    with pytest.raises(InputError, match="tokens; the model reads fewer than 256"):
-        answers(model, (Message("user", ("x" * 300,)),))
-    assert answers(model, (Message("user", ("a chair",)),))
+    long, short = (Message("user", ("x" * 300,)),), (Message("user", ("a chair",)),)
+    for chat in (long, long, short, long, long):
+        if chat is short:
+            assert answers(model, chat)
+            continue
+        with pytest.raises(NoAnswerError, match="tokens; the model reads fewer than 256"):
+            answers(model, chat)
+    with pytest.raises(UnavailableError, match="the last 3 were all too long"):
+        answers(model, long)
 
 
 @pytest.mark.parametrize(
@@ -302,6 +308,7 @@ def test_a_folder_that_holds_no_whole_model_says_what_is_missing(tiny_folder, tm
         but("bare", "processor_config.json"): "no processor that can be read",
         but("tokens", "tokenizer.json"): "no processor that can be read",
         but("mute", "chat_template.jinja"): "no chat template",
+        but("wordless", "tokenizer.json", "tokenizer_config.json"): "does not come through the model's tokenizer",
         but("light", "model.safetensors"): "weights cannot be read",
         but("unset", "config.json"): "the folder has no config.json",
         but("torn", config="{"): "no model can be read there",
@@ -315,6 +322,29 @@ def test_a_folder_that_holds_no_whole_model_says_what_is_missing(tiny_folder, tm
         with pytest.raises(InputError, match=says) as caught:
             HfModel(folder, device="cpu")
         assert str(folder) in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("template", "says"),
+    [
+        ("{% for m in messages %}{{ m.role + ': ' + m.content }}{% endfor %}", "template cannot write a chat"),
+        ("{{ raise_exception('no system') }}", "template cannot write a chat.*no system"),
+        ("{{ bos_token }}Hello", "a question does not come through"),
+    ],
+)
+def test_a_template_that_passes_on_no_chat_is_refused(tiny_folder, tmp_path, template, says):
+    folder = shutil.copytree(tiny_folder, tmp_path / "model")
+    (folder / "chat_template.jinja").write_text(template)
+    with pytest.raises(InputError, match=says):
+        HfModel(folder, device="cpu")
+
+
+def test_a_template_of_ones_own_will_do(tiny_folder, tmp_path):
+    folder = shutil.copytree(tiny_folder, tmp_path / "model")
+    part = "{% if c.type == 'text' %}{{ c.text }}{% else %}<|vision_start|><|image_pad|><|vision_end|>{% endif %}"
+    said = "{% for m in messages %}[{{ m.role }}] {% for c in m.content %}" + part + "{% endfor %} {% endfor %}"
+    (folder / "chat_template.jinja").write_text(said)
+    assert len(answers(HfModel(folder, device="cpu", max_new_tokens=4), asking("What?"))) == 1
 
 
 @pytest.mark.parametrize(("device", "says"), [("cuda:99", "GPUs; use cpu"), ("gpu", "no device"), ("meta", "not on")])

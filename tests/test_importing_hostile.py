@@ -39,7 +39,8 @@ def _written(tmp_path, text):
     [
         ("", "not JSON"),
         ("{", "not JSON"),
-        (b"\xff\xfe\x00", "not UTF-8"),
+        (b"\xff\xfe\x00", "is not UTF-16"),
+        (b'{"a": "\xff"}', "not UTF-8"),
         ("[" * 100_000, "nested too deeply"),
         ('{"a": NaN}', "NaN is not a number"),
         ('{"a": -Infinity}', "not a number"),

@@ -100,7 +100,9 @@ def test_what_fails_for_a_while_is_asked_again(status):
     [
         (error(401, "Bad key"), UnavailableError, "wants a key .*set THINKBLOX_API_KEY"),
         (error(404, "The model `stub` does not exist"), UnavailableError, "has no model 'stub'.* ends in /v1"),
-        (error(429, "quota"), NoAnswerError, "asked too often.*quota"),
+        (error(429, "quota"), NoAnswerError, "asked too often.*quota.*again later"),
+        (error(429, "quota", ("Retry-After", "3600")), NoAnswerError, "again in 3600 s, as it says"),
+        (error(429, "quota", ("Retry-After", "sk-1 \x1b")), NoAnswerError, "again later$"),
         (error(500, "CUDA out of memory"), NoAnswerError, "status 500 .CUDA out of memory"),
         (error(400, "maximum context length is 8"), NoAnswerError, "status 400 .*maximum context length"),
         (Reply(status=502, body=b"<html>\x1b[31mBad gateway</html>", kind="text/html"), NoAnswerError, "Bad gateway"),
@@ -113,6 +115,8 @@ def test_what_fails_for_a_while_is_asked_again(status):
         (Reply(body=b"{}"), NoAnswerError, "no choice"),
         (Reply(body=b'{"choices": []}'), NoAnswerError, "no choice"),
         (Reply(body=b'{"choices": "many"}'), NoAnswerError, "no choice"),
+        (Reply(body=b'{"error": {"message": "overloaded", "code": 503}}'), NoAnswerError, "with an error: overloaded"),
+        (error(400, "image input is not supported"), NoAnswerError, "not supported.*--without pictures"),
         (Reply(body=b'{"choices": [{"message": null}]}'), NoAnswerError, "no text"),
         (Reply(body=b'{"choices": [{"message": {"content": 7}}]}'), NoAnswerError, "no text"),
         (Reply(seconds=3.0), NoAnswerError, "no answer in time"),
@@ -154,6 +158,33 @@ def test_reasoning_that_a_server_splits_off_is_put_back():
     answer = completion(["<answer>{}</answer>"], reasoning_content="1. <think>Here.")
     with stub(lambda body: answer) as server:
         assert ask(server) == ["<think>1. Here.</think><answer>{}</answer>"]
+
+
+def test_of_a_model_that_was_cut_off_while_it_thought_the_thought_stays():
+    answer = completion([""], reasoning_content="1. By the wall, or")
+    with stub(lambda body: answer) as server:
+        assert ask(server) == ["<think>1. By the wall, or"]
+
+
+TEXT = {"type": "text", "text": "<answer>{}</answer>"}
+
+
+@pytest.mark.parametrize(
+    ("content", "text"),
+    [
+        ([{"type": "text", "text": "<think>1.</think>"}, TEXT], "<think>1.</think><answer>{}</answer>"),
+        (
+            [{"type": "thinking", "thinking": [{"type": "text", "text": "1."}]}, TEXT],
+            "<think>1.</think>" + TEXT["text"],
+        ),
+        ([{"type": "thinking", "thinking": "1."}, TEXT], "<think>1.</think>" + TEXT["text"]),
+        ([7, {"type": "image"}, {"type": "text", "text": [TEXT]}, {"type": "text"}], ""),
+        ([], ""),
+    ],
+)
+def test_an_answer_in_parts_is_their_text(content, text):
+    with stub(lambda body: completion([""], content=content)) as server:
+        assert ask(server) == [text]
 
 
 def test_no_content_is_an_empty_text():

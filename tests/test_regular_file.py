@@ -11,10 +11,10 @@ from thinkblox.cli import main
 from thinkblox.episode import read_episode
 from thinkblox.errors import InputError
 from thinkblox.importing.document import read_document
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_lines, read_regular
 from thinkblox.scene.room import Room
-from thinkblox.scene.scene import load_scene
-from thinkblox.value import read_json
+from thinkblox.scene.scene import Scene, load_scene
+from thinkblox.value import read_json, to_json
 
 READERS = (
     load_scene,
@@ -64,3 +64,27 @@ def test_a_file_that_grows_while_it_is_read_is_refused(tmp_path: Path) -> None:
     assert read_regular(tmp_path / "log", most=5) == b"12345"
     with pytest.raises(InputError, match="larger"):
         read_regular(tmp_path / "log", most=4)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-be"])
+def test_texts_as_editors_save_them_are_read_alike(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "prompts.txt"
+    mark = "\ufeff" if encoding == "utf-16-be" else ""
+    path.write_text(f"{mark}A küche\n\n  A bedroom \r\n", encoding=encoding)
+    assert read_lines(path) == ("A küche", "A bedroom")
+
+
+@pytest.mark.parametrize(("data", "says"), [(b"\xff\xfeabc", "is not UTF-16"), (b"a\xe4b", "is not UTF-8")])
+def test_bytes_that_are_no_text_are_said(tmp_path: Path, data: bytes, says: str) -> None:
+    (tmp_path / "prompts.txt").write_bytes(data)
+    with pytest.raises(InputError, match=rf"prompts\.txt: {says}"):
+        read_lines(tmp_path / "prompts.txt")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_a_scene_that_an_editor_has_saved_is_still_ours(tmp_path: Path, encoding: str) -> None:
+    scene = Scene(prompt="", room=Room(floor=((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0))))
+    path = tmp_path / "scene.json"
+    path.write_text(to_json(scene).decode(), encoding=encoding)
+    assert load_scene(path) == scene
+    assert verify_file(path).valid

@@ -100,6 +100,13 @@ class Request(CheckedValue, frozen=True, kw_only=True):
     unshown: tuple[str, ...] = ()
     states: tuple[str, ...] = ()
 
+    @property
+    def bounds(self) -> tuple[int, int]:
+        """Fewest and most of them that are as asked."""
+        if self.least is None and self.most is None:
+            return self.count, self.count
+        return self.least or 0, self.most if self.most is not None else max(self.count, 10**6)
+
 
 class Relation(CheckedValue, frozen=True, kw_only=True):
     """`subject` stands in this relation to `anchors`: keys of requests, or a Place.

@@ -11,7 +11,7 @@ from msgspec import structs
 
 from thinkblox.errors import InputError
 from thinkblox.given import names_given, seed_given
-from thinkblox.regular_file import opened_regular, read_regular
+from thinkblox.regular_file import opened_regular, read_text
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, read_json
 from thinkblox.verdict import Absence, Report
@@ -249,7 +249,7 @@ class _Ours(msgspec.Struct):
 
 def _is_ours(path: Path) -> bool:
     try:
-        msgspec.json.decode(read_regular(path), type=_Ours)
+        msgspec.json.decode(read_text(path), type=_Ours)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return False
     return True

@@ -57,14 +57,6 @@ def placed_of(scene: Scene, plan: Plan, request: str) -> tuple[Placement, ...]:
     return tuple(scene[t.id] for t in plan.targets if t.request == request and t.id in scene)
 
 
-def bounds_of(request: Request) -> tuple[int, int]:
-    """Fewest and most of a request that are as asked."""
-    if request.least is None and request.most is None:
-        return request.count, request.count
-    least = request.least if request.least is not None else 0
-    return least, request.most if request.most is not None else max(request.count, 10**6)
-
-
 def _noun(category: str) -> str:
     kind = CATALOGUE.get(category)
     return kind.noun if kind else category.replace("_", " ")
@@ -88,7 +80,7 @@ def _of_request(scene: Scene, request: Request, placed: Sequence[Placement]) -> 
 
 
 def _count(request: Request, noun: str, count: int) -> Demand:
-    least, most = bounds_of(request)
+    least, most = request.bounds
     wanted = (
         f"{least}"
         if least == most

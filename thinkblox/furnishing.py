@@ -115,6 +115,7 @@ def furnish(
     effort: Effort,
     judged: Judged,
     on_object: Callable[[Progress], None],
+    on_round: Callable[[Round], None],
     first: int,
     anew: str,
     until: float,
@@ -128,7 +129,7 @@ def furnish(
         BrokenOffError: the policy cannot go on.
     """
     makeable, refused = makeable_part(plan, scene, source)
-    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until, on_round=on_round)
     made: list[_Attempt] = []
     try:
         for number in range(first, first + 1 + effort.restarts):

@@ -9,6 +9,7 @@ import numpy as np
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
+from thinkblox.episode import Round
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish, spare_on_run
@@ -82,6 +83,7 @@ def generate_room(
     sight: Sight | None = None,
     on_plan: Callable[[Plan], None] | None = None,
     on_object: Callable[[Progress], None] | None = None,
+    on_round: Callable[[Round], None] | None = None,
 ) -> Generation:
     """Furnish a room for a prompt; every placement in it has been measured in MuJoCo.
 
@@ -106,6 +108,7 @@ def generate_room(
         sight: what a model that places objects is shown; what it was trained on, or all, when not given.
         on_plan: called with what is to be placed, before anything is.
         on_object: called after each object.
+        on_round: called after each round of tries for an object, with what came of them.
 
     Raises:
         InputError: the prompt, the seed or the room cannot be used, or a model that reads or plans gives nothing that
@@ -147,6 +150,7 @@ def generate_room(
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
+            on_round=on_round or (lambda done: None),
             first=len(before),
             anew=before[-1].amiss if before else "",
             until=until,

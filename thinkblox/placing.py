@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, takewhile
 
@@ -81,6 +81,7 @@ class Loop:
     Attributes:
         tells: whether the policy is told what became of its answers, as where it is asked again.
         until: the monotonic time at which the budget is over [s].
+        on_round: called after each round of tries.
         falls: of assets that fell where they were put, how each does so by itself; "" of one that stands.
     """
 
@@ -91,6 +92,7 @@ class Loop:
     effort: Effort
     tells: bool = True
     until: float = math.inf
+    on_round: Callable[[Round], None] = lambda done: None
     falls: dict[Asset, str] = field(default_factory=dict)
 
     @property
@@ -351,6 +353,7 @@ class Placing:
                 check_seconds=round(check_seconds, 4),
             )
         )
+        self.loop.on_round(self.rounds[-1])
 
 
 def _badness(failure: tuple[Proposal, Verdict]) -> float:

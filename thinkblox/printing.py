@@ -1,8 +1,10 @@
 """A report as a person reads it on a terminal: the outcome, every fault with its numbers, and tables of suites."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from thinkblox.episode import Round
 from thinkblox.headline import headline, in_short, relation_words, shortfall, shortfalls
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
@@ -34,6 +36,28 @@ def in_figures(report: Report, *, placed: int) -> str:
     """The measures of the whole, and what does not pass, a line each."""
     failing = [f"  {verdict}" for verdict in report.objects if not verdict.valid]
     return "\n".join(["; ".join((f"{placed} object{'' if placed == 1 else 's'}", *headline(report))), *failing])
+
+
+def no_use(done: Round) -> str:
+    """A round of answers of which none could be taken: how many, in what time, and what is wrong with the last."""
+    last = done.tries[-1] if done.tries else None
+    against = last.rejection.message if last and last.rejection else f"{last.verdict}" if last else "there is none"
+    answers = f"{len(done.tries)} answer{'' if len(done.tries) == 1 else 's'}"
+    return f"{done.id}: {answers} in {done.propose_seconds:.0f} s, none of use; of the last: {against}"
+
+
+def whose(rounds: Sequence[Round]) -> str:
+    """What of a room stands where its policy said, what was found by a search, and which answers were no use."""
+    kept = [done for done in rounds if done.kept]
+    placed = {done.id: done.kind for done in kept if done.chosen is not None}
+    searched = [id for id, kind in placed.items() if kind != "policy"]
+    answers = [tried for done in kept if done.kind == "policy" for tried in done.tries]
+    unread = Counter(tried.rejection.reason for tried in answers if tried.rejection is not None)
+    count = len({done.id for done in kept})
+    says = f"where the model said: {len(placed) - len(searched)} of {count} object{'' if count == 1 else 's'}"
+    says += f"; by a search instead: {in_short(searched)}" if searched else ""
+    reasons = ", ".join(f"{reason} {count}" for reason, count in unread.most_common())
+    return says + (f"; not readable: {unread.total()} of {len(answers)} answers ({reasons})" if unread else "")
 
 
 def _whole(report: Report, placed: int) -> str:

@@ -1,5 +1,6 @@
 """Reading files of others with limits: only what is a regular file, and only so much of it."""
 
+import codecs
 import os
 import stat
 from collections.abc import Iterator
@@ -20,6 +21,30 @@ def read_regular(path: Path, *, most: int = MAX_BYTES) -> bytes:
     if len(data) > most:
         raise _too_large(path, most)
     return data
+
+
+def read_text(path: Path, *, most: int = MAX_BYTES) -> bytes:
+    """The content of a text file as UTF-8 without a mark before it, with which, or as UTF-16, some editors save it.
+
+    Raises:
+        InputError: as for `read_regular`, or it begins as UTF-16 and is none.
+    """
+    data = read_regular(path, most=most)
+    if not data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.removeprefix(codecs.BOM_UTF8)
+    try:
+        return data.decode("utf-16").encode()
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-16, as which it begins: {error.reason}; save it as UTF-8") from error
+
+
+def read_lines(path: Path) -> tuple[str, ...]:
+    """The lines of a text file that are not blank, without spaces about them; raises InputError."""
+    try:
+        lines = read_text(path).decode().splitlines()
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-8: {error}") from error
+    return tuple(line.strip() for line in lines if line.strip())
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import structs
 
 from thinkblox.brief import RelationKind
-from thinkblox.demands import bounds_of, demands_of, placed_of
+from thinkblox.demands import demands_of, placed_of
 from thinkblox.headline import UNKNOWN
 from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan, Target, Tie
@@ -93,9 +93,7 @@ def _is_planned(plan: Plan, id: str) -> bool:
 def _spared(scene: Scene, plan: Plan) -> frozenset[str]:
     """Those not placed of requests of which enough are: "at least eight" of ten planned."""
     enough = {
-        request.key
-        for request in plan.brief.requests
-        if len(placed_of(scene, plan, request.key)) >= bounds_of(request)[0]
+        request.key for request in plan.brief.requests if len(placed_of(scene, plan, request.key)) >= request.bounds[0]
     }
     return frozenset(t.id for t in plan.targets if t.request in enough and t.id not in scene)
 

@@ -2,7 +2,6 @@
 
 import json
 import re
-from codecs import BOM_UTF8
 from collections.abc import Sequence
 from inspect import cleandoc
 from pathlib import Path
@@ -12,7 +11,7 @@ import msgspec
 
 from thinkblox.errors import InputError
 from thinkblox.json_faults import json_fault
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_text
 
 Vec2 = tuple[float, float]
 Vec3 = tuple[float, float, float]
@@ -68,7 +67,7 @@ def read_json(path: Path, kind: type[V]) -> V:
 
 def read_json_and_text(path: Path, kind: type[V]) -> tuple[V, bytes]:
     """Read `kind` from a JSON file, as `read_json`, and return its text as well."""
-    data = read_regular(path).removeprefix(BOM_UTF8)
+    data = read_text(path)
     value = from_json(data, kind, where=str(path))
     refuse_double_keys(data, str(path))
     return value, data

@@ -9,7 +9,7 @@ from msgspec import Meta
 from thinkblox.errors import InputError
 from thinkblox.json_faults import json_fault
 from thinkblox.policies.tiny import TinySize
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_text
 from thinkblox.training.recipe import Recipe
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.tiers import HARD, Scheme, tiers_of
@@ -154,7 +154,7 @@ def read_experiment(path: str | Path) -> Experiment:
     Raises:
         InputError: it cannot be read; a key is not known, missing or wrong; names the file and the place.
     """
-    text = read_regular(Path(path))
+    text = read_text(Path(path))
     try:
         return msgspec.yaml.decode(text, type=Experiment)
     except msgspec.ValidationError as error:

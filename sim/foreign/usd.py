@@ -18,6 +18,7 @@ from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_
 from thinkblox.sim.foreign.usd_masses import Masses, Weighed
 from thinkblox.sim.foreign.usd_materials import material_of
 from thinkblox.sim.foreign.usd_shapes import ColliderGeom, ColliderNotes, solids_of
+from thinkblox.sim.foreign.usd_unread import check_instancers, moved_over_time
 from thinkblox.sim.foreign.usd_values import number_of, numbers_of
 from thinkblox.sim.settings import Physics
 
@@ -64,7 +65,8 @@ def _faults(stage: Any) -> tuple[str, ...]:
     if not found:
         return ()
     more = f" And {len(found) - _LISTED} more." if len(found) > _LISTED else ""
-    return (f"Other programs may stumble over {len(found)} faults: {' '.join(found[:_LISTED])}{more}",)
+    count = f"{len(found)} fault{'' if len(found) == 1 else 's'}"
+    return (f"Other programs may stumble over {count}: {' '.join(found[:_LISTED])}{more}",)
 
 
 def _told(error: Exception) -> str:
@@ -113,6 +115,7 @@ class _Stage:
     def __init__(self, stage: Any) -> None:
         self._stage, self._frames = stage, Frames(stage)
         self._prims = prims = list(stage.Traverse(Usd.TraverseInstanceProxies()))
+        check_instancers(prims)
         self._bodies = {prim.GetPath(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
         if len(self._bodies) > MOST_BODIES:
             raise InputError(too_many("the stage", len(self._bodies)))
@@ -172,6 +175,7 @@ class _Stage:
             ("Not a shape that is read, so that nothing touches it", self._shapes.left_out),
             ("Loops that are not held", self._slack),
             ("Drives that are not run", self._driven),
+            ("Moved over time, but measured where it stands without a time", moved_over_time(self._prims)),
         ):
             if paths:
                 notes.append(f"{what}: {listed(paths)}.")

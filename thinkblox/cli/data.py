@@ -102,13 +102,9 @@ def _recipe(arguments: argparse.Namespace) -> "Recipe":
 
 def _lines(file: Path) -> tuple[str, ...]:
     from thinkblox.errors import InputError
-    from thinkblox.regular_file import read_regular
+    from thinkblox.regular_file import read_lines
 
-    try:
-        lines = read_regular(file).decode().splitlines()
-    except UnicodeDecodeError as error:
-        raise InputError(f"{file}: is not UTF-8: {error}") from error
-    prompts = tuple(line.strip() for line in lines if line.strip())
+    prompts = read_lines(file)
     if not prompts:
         raise InputError(f"{file}: holds no prompt; give one a line")
     return prompts

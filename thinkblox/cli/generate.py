@@ -85,7 +85,9 @@ def _generate(arguments: argparse.Namespace) -> int:
 
     check_folder(arguments.out, overwrite=arguments.overwrite)
     room = None if arguments.room is None else read_json(arguments.room, Room)
-    with ObjectBar(quiet=arguments.json) as progress:
+    places = _is_model(arguments.policy)
+    reads = _is_model(arguments.reader or arguments.policy)
+    with ObjectBar(quiet=arguments.json, reads=reads, places=places) as progress:
         try:
             result = generate_room(
                 arguments.prompt,
@@ -101,6 +103,7 @@ def _generate(arguments: argparse.Namespace) -> int:
                 sight=_sight(arguments),
                 on_plan=progress.begin,
                 on_object=progress.tell,
+                on_round=progress.hear,
             )
         except BrokenOffError as error:
             raise _kept(error, arguments.out) from error
@@ -111,9 +114,15 @@ def _generate(arguments: argparse.Namespace) -> int:
         write_json(to_json(result.report))
     else:
         say(printing.summary(result.report, placed=len(result.scene.placements)))
+        if places:
+            say(printing.whose(result.trace))
         say(printing.outcome(result.report))
         say(f"written to {arguments.out}")
     return 0 if result.report.complete else 1
+
+
+def _is_model(who: str) -> bool:
+    return who.partition(":")[0] in ("hf", "openai")
 
 
 def _sight(arguments: argparse.Namespace) -> "Sight | None":
@@ -122,7 +131,7 @@ def _sight(arguments: argparse.Namespace) -> "Sight | None":
         return None
     from thinkblox.evaluation.contenders import Contender
 
-    if arguments.policy.partition(":")[0] not in ("hf", "openai"):
+    if not _is_model(arguments.policy):
         raise InputError("--without is for models; give one as the policy")
     shown = Contender(
         name="--without",

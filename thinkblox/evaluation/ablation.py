@@ -17,7 +17,7 @@ from thinkblox.evaluation.policy_run import Trial
 from thinkblox.modes import Mode
 from thinkblox.orders import Order
 from thinkblox.players import EXPERT
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_text
 from thinkblox.value import Value
 
 _TABLE = "ablations.toml"
@@ -81,7 +81,7 @@ def read_ablation(path: Path) -> Ablation:
         InputError: it cannot be read; a key is not known, missing or wrong; names the file.
     """
     try:
-        return msgspec.yaml.decode(read_regular(path), type=Ablation)
+        return msgspec.yaml.decode(read_text(path), type=Ablation)
     except (msgspec.MsgspecError, InputError, ValueError) as error:
         raise InputError(f"{path}: {error}") from error
     except ImportError as error:

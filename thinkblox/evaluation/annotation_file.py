@@ -2,7 +2,6 @@
 
 import csv
 import io
-from codecs import BOM_UTF8
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,7 +12,7 @@ from thinkblox.errors import InputError
 from thinkblox.evaluation import rows
 from thinkblox.evaluation.annotations import Annotation, RoomDemand
 from thinkblox.json_faults import json_fault, place_in
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_text
 
 R = TypeVar("R")
 MAX_BYTES = 64_000_000
@@ -39,7 +38,7 @@ def read_annotations(path: Path) -> tuple[Annotation, ...]:
     Raises:
         InputError: the file cannot be read, or something in it is wrong; names the entry, the column and the row.
     """
-    data = read_regular(path, most=MAX_BYTES).removeprefix(BOM_UTF8)
+    data = read_text(path, most=MAX_BYTES)
     try:
         text = data.decode()
     except UnicodeDecodeError as error:

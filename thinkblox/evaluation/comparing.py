@@ -12,7 +12,7 @@ from thinkblox.evaluation.policy_run import Trial, measured_rooms
 from thinkblox.evaluation.ratings import RoomRater
 from thinkblox.evaluation.room_tally import RoomTally
 from thinkblox.players import EXPERT
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_lines
 from thinkblox.whole_file import write_whole
 
 ROOMS = "rooms"
@@ -24,11 +24,7 @@ Told = Callable[[Contender, RoomTally], None]
 
 def read_prompts(file: Path) -> tuple[str, ...]:
     """Prompts, one a line; raises InputError."""
-    try:
-        lines = read_regular(file).decode().splitlines()
-    except UnicodeDecodeError as error:
-        raise InputError(f"{file}: is not UTF-8: {error}") from error
-    prompts = tuple(line.strip() for line in lines if line.strip())
+    prompts = read_lines(file)
     if not 0 < len(prompts) <= MOST:
         raise InputError(f"{file}: holds {len(prompts) or 'no'} prompts; give one a line, at most {MOST}")
     return prompts

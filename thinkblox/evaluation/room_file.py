@@ -121,6 +121,7 @@ def read_scene(folder: Path) -> SceneRecord:
     return scene
 
 
-def read_report(folder: Path) -> ReportRecord:
-    """The report.json of an output folder; raises InputError."""
-    return read_json(folder / "report.json", ReportRecord)
+def read_report(folder: Path) -> ReportRecord | None:
+    """The report.json of an output folder, None where it has none; raises InputError."""
+    file = folder / "report.json"
+    return read_json(file, ReportRecord) if file.exists() else None

@@ -123,8 +123,8 @@ def judge_folder(annotation: Annotation, folder: Path, *, seconds: float = 0.0) 
         style=annotation.style,
         prompt=annotation.prompt,
         rows=judge_room(annotation, read_scene(folder)),
-        complete=report.complete,
-        valid=report.valid,
+        complete=None if report is None else report.complete,
+        valid=None if report is None else report.valid,
         seconds=seconds,
     )
 

@@ -2,7 +2,6 @@
 
 import json
 import re
-from codecs import BOM_UTF8
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +12,7 @@ from msgspec import Meta
 
 from thinkblox.errors import InputError
 from thinkblox.json_faults import place_in
-from thinkblox.regular_file import read_regular
+from thinkblox.regular_file import read_text
 
 MAX_BYTES = 64_000_000
 """Largest layout file that is read."""
@@ -89,7 +88,7 @@ def read_document(path: Path) -> Document:
         InputError: it cannot be read, is too large, is not JSON, nests too deep, holds NaN or an infinite number, or a
             key twice in one object.
     """
-    return Document(path, _parsed(path, read_regular(path, most=MAX_BYTES).removeprefix(BOM_UTF8)))
+    return Document(path, _parsed(path, read_text(path, most=MAX_BYTES)))
 
 
 def beside(document: Document, belongs: Callable[[Any], bool]) -> list[Document]:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from thinkblox.chat import Chat
-from thinkblox.errors import InputError
+from thinkblox.errors import InputError, NoAnswerError, UnavailableError
 from thinkblox.observe import Sight
 from thinkblox.policies.chat_format import encode
 from thinkblox.policies.decoding import Counts, Decoder, Sampling
@@ -14,6 +14,8 @@ from thinkblox.policies.pretrained import Pretrained, load_pretrained
 from thinkblox.policies.token_grammar import TokenGrammar
 from thinkblox.value import read_json
 
+PATIENCE = 3
+"""After so many chats in a row that are too long for a model it counts as unable to go on."""
 SIGHT = "sight.json"
 """In the folder of a model that was trained on our demonstrations: what it was shown."""
 
@@ -63,6 +65,7 @@ class HfModel:
         self._sampling = Sampling(temperature=temperature, top_p=top_p, tokens=max_new_tokens, seconds=seconds)
         tokenizer = read.processor.tokenizer
         self._constraint = TokenGrammar(grammar, tokenizer, len(tokenizer)) if grammar is not None else None
+        self._too_long = 0
         self._context = int(read.model.config.get_text_config().max_position_embeddings)
         self._decoder = Decoder(read.model, tokenizer, image_token=read.processor.image_token_id, reuse=reuse_prefix)
 
@@ -75,14 +78,22 @@ class HfModel:
         """Up to `n` answers to a conversation, sampled apart; one where the temperature is 0.
 
         Raises:
-            InputError: a chat that is longer than the model can read.
+            NoAnswerError: the chat is longer than the model can read.
+            UnavailableError: and so were those before it.
         """
         if n < 1:
             return []
         inputs = encode(self._processor, chat)
         length = inputs["input_ids"].shape[1]
         if length >= self._context:
-            raise InputError(f"the chat has {length} tokens; the model reads fewer than {self._context}")
+            self._too_long += 1
+            why = f"the chat has {length} tokens; the model reads fewer than {self._context}"
+            if self._too_long < PATIENCE:
+                raise NoAnswerError(why)
+            raise UnavailableError(
+                f"{why}, and the last {self._too_long} were all too long; show it less, or take one that reads more"
+            )
+        self._too_long = 0
         count = n if self._sampling.temperature > 0.0 else 1
         seeds = [int(seed) for seed in rng.integers(2**63, size=n)][:count]
         return self._decoder.continuations(inputs, seeds, self._sampling, self._constraint)

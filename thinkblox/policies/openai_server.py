@@ -293,20 +293,35 @@ def _checked_choices(made: Any) -> "list[Choice]":
     completion: ChatCompletion = made
     choices: Any = completion.choices
     if not isinstance(choices, list) or not choices:
-        raise NotAnAnswerError("answered with no choice at all")
-    if not all(isinstance(getattr(getattr(c, "message", None), "content", 0), str | None) for c in choices):
+        fault = (completion.model_extra or {}).get("error")
+        says = fault.get("message") if isinstance(fault, dict) else fault
+        raise NotAnAnswerError(f"answered with an error: {says}" if says else "answered with no choice at all")
+    if not all(isinstance(getattr(getattr(c, "message", None), "content", 0), str | list | None) for c in choices):
         raise NotAnAnswerError("answered with choices that hold no text")
     return list(choices)
 
 
 def _text(choice: "Choice") -> str:
-    """What a model said; where a server has split its reasoning off, it is put back in its tags."""
-    said = choice.message.content or getattr(choice.message, "refusal", None) or ""
-    extra = choice.message.model_extra or {}
-    thought = extra.get("reasoning_content") or extra.get("reasoning")
-    if not isinstance(thought, str) or "<think>" in said or "<answer>" not in said:
+    """What a model said; where a server has split its reasoning off, it is put back in its tags.
+
+    They stay open where nothing came after it, as of a model that was cut off while it thought.
+    """
+    content, extra = choice.message.content, choice.message.model_extra or {}
+    said = _joined(content, "text") or getattr(choice.message, "refusal", None) or ""
+    thought = extra.get("reasoning_content") or extra.get("reasoning") or _joined(content, "thinking")
+    if not isinstance(thought, str) or not thought or "<think>" in said or ("<answer>" not in said and said.strip()):
         return said
-    return f"<think>{re.sub('</?(think|answer)>', '', thought)}</think>{said}"
+    thought = re.sub("</?(think|answer)>", "", thought)
+    return f"<think>{thought}</think>{said}" if said.strip() else f"<think>{thought}"
+
+
+def _joined(content: object, kind: str) -> str:
+    """The text of a message's content, or that of its parts of a kind; thinking may be in parts of text itself."""
+    if isinstance(content, str):
+        return content if kind == "text" else ""
+    parts = [part for part in content if isinstance(part, dict)] if isinstance(content, list) else []
+    held = [part.get(kind) for part in parts if part.get("type") == kind]
+    return "".join(each if isinstance(each, str) else "" if kind == "text" else _joined(each, "text") for each in held)
 
 
 def _refused(error: Any, body: dict[str, Any]) -> str | None:

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from thinkblox.chat import Message
 from thinkblox.errors import InputError
+from thinkblox.policies.chat_format import encode
 from thinkblox.policies.processors import FAMILIES, read_processor
 
 EXTRA = "pip install 'thinkblox[vlm]'"
@@ -100,7 +102,25 @@ def _processor(family: str, name: str) -> Any:
         ) from error
     if not processor.chat_template:
         raise InputError(f"{name}: the model's processor has no chat template")
+    _check_writes(processor, name)
     return processor
+
+
+def _check_writes(processor: Any, name: str) -> None:
+    """Raise InputError for a processor by which the model would not see what it is asked."""
+    asked = "Where does it go?"
+    try:
+        tokens = encode(processor, (Message("system", ("Be brief.",)), Message("user", (asked,))))["input_ids"][0]
+    except Exception as error:  # a template is anybody's code
+        raise InputError(
+            f"{name}: the model's chat template cannot write a chat, whose contents are lists of texts and images"
+            f" ({_first_line(error)}); save the one of its family into the folder"
+        ) from error
+    if asked not in processor.tokenizer.decode(tokens):
+        raise InputError(
+            f"{name}: a question does not come through the model's tokenizer and chat template; save those of its"
+            " family into the folder with processor.save_pretrained(folder)"
+        )
 
 
 def _model(name: str, dtype: Any) -> Any:

@@ -1,5 +1,6 @@
 """What went wrong between a server and us, in words that say what to do."""
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,8 @@ if TYPE_CHECKING:
     import openai
 
 _NAMES = " or ".join(VARIABLES)
+_SEEING = re.compile(r"image|vision|visual|multi-?modal", re.IGNORECASE)
+"""How a server speaks of the pictures that a model cannot take."""
 
 
 class NotAnAnswerError(Exception):
@@ -56,9 +59,16 @@ def _refused(found: "openai.APIStatusError", where: str, model: str, said: str, 
                 " its URL ends in /v1"
             )
         case 429:
-            return NoAnswerError(f"{where}: was asked too often, or more than is paid for ({said}); try again later")
+            wait = found.response.headers.get("retry-after", "")
+            later = f"in {wait} s, as it says" if wait.isdecimal() and wait.isascii() else "later"
+            return NoAnswerError(f"{where}: was asked too often, or more than is paid for ({said}); try again {later}")
         case status if status >= 500:
             return NoAnswerError(f"{where}: failed with status {status} ({said}); see its log")
+        case status if _SEEING.search(said):
+            return NoAnswerError(
+                f"{where}: refused the request with status {status} ({said}); a model that cannot see is asked with"
+                " --without pictures"
+            )
         case status:
             return NoAnswerError(f"{where}: refused the request with status {status} ({said})")
 

@@ -18,6 +18,7 @@ from thinkblox.plan import Plan
 from thinkblox.planning import ExpertPlanner, plan_room
 from thinkblox.policies.conversing import agreed
 from thinkblox.prompts.answers import ObjectSet, PlannedOrder
+from thinkblox.reading.second_reading import seconded
 from thinkblox.reading.senses import with_senses
 from thinkblox.scene.room import Room
 
@@ -26,7 +27,10 @@ MAX_PROMPT = 20_000
 
 
 class ModelBriefer:
-    """Lets a model understand prompts: it lists what belongs into the room, and what is to stand by what."""
+    """Lets a model understand prompts: it lists what belongs into the room, and what is to stand by what.
+
+    Where that is not what the words of the prompt say, they count as not understood.
+    """
 
     def __init__(self, model: ChatModel, *, fill: Fill = "essentials", seed: int = 0) -> None:
         """Take a model; with the fill "named", what it adds of its own is left out unless it carries what is named."""
@@ -49,7 +53,7 @@ class ModelBriefer:
         rng = np.random.default_rng((self._seed, 1))
         chat = objects_chat(prompt)
         what = "the objects of the room"
-        brief = agreed(self._model, chat, ObjectSet, lambda said: _usable(said, prompt), what=what, rng=rng)
+        brief = seconded(agreed(self._model, chat, ObjectSet, lambda said: _usable(said, prompt), what=what, rng=rng))
         return _only_named(brief) if self._fill == "named" else brief
 
 

@@ -78,7 +78,8 @@ class StartRoomTool(Tool, frozen=True, kw_only=True):
         scene = Scene(prompt=self.prompt, seed=self.seed, room=with_surfaces(floor, brief, self.seed))
         room = AgentRoom(scene, plan, desk.source)
         handle = desk.add(room)
-        lines = [f"{handle} is open. {len(room.plan.targets)} objects are planned: {_ids(room)}."]
+        count = len(room.plan.targets)
+        lines = [f"{handle} is open. {count} object{' is' if count == 1 else 's are'} planned: {_ids(room)}."]
         missing = (*brief.missing, *brief.beyond)
         lines += [f"Not made: {', '.join(missing)}."] if missing else []
         lines += [f"Not understood: {', '.join(brief.unknown)}."] if brief.unknown else []
