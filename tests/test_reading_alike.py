@@ -197,3 +197,23 @@ def test_lists_end_where_something_else_is_told(prompt: str, relations: str) -> 
     brief = read_brief(prompt)
     assert set(related(brief)) == set(relations.split(", "))
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A bedroom with a bed and a desk against the opposite wall.",
+            "1 bed against_wall one_wall, 1 desk against_wall opposite_wall",
+        ),
+        (
+            "A bedroom with a bed in the corner, a nightstand to its right and a desk on the other side of the room.",
+            "1 bed in_corner corner, 1 nightstand right_of bed, 1 desk far bed, 1 desk against_wall wall",
+        ),
+        ("A bed, a nightstand to its right and a desk against the opposite wall.", "1 desk against_wall opposite_wall"),
+    ],
+)
+def test_the_opposite_wall_is_across_from_the_furniture_that_leads(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert set(relations.split(", ")) <= set(related(brief))
+    assert not any(r.kind == "opposite" for r in brief.relations)

@@ -200,7 +200,7 @@ PROMPTS = {
     ),
     "Two single beds with a shared nightstand, a double desk with two chairs, and two wardrobes on the opposite wall": (
         "2 bed, 1 nightstand, 1 desk, 2 chair, 2 wardrobe",
-        "nightstand between bed, chair at desk, wardrobe against_wall wall, wardrobe opposite desk",
+        "nightstand between bed, chair at desk, wardrobe against_wall opposite_wall",
         "",
     ),
     "A court room with a judge's desk and twelve chairs in two rows to the left of it.": (
