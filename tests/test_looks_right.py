@@ -201,3 +201,53 @@ def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
     room = made("The dishwasher stands next to the sink; four plates are on the counter.")
     (counter,) = placed(room, "counter")
     assert off_walls(room, counter) < 0.1
+
+
+def test_each_bunk_bed_of_a_dorm_has_its_locker_at_its_head_by_the_wall():
+    room = made("A hostel dorm with four bunk beds and a locker next to every bed.")
+    beds, lockers = placed(room, "bunk_bed"), placed(room, "locker")
+    assert len(beds) == len(lockers) == 4
+    assert all(off_walls(room, thing) < 0.1 for thing in (*beds, *lockers))
+
+
+def test_a_narrow_cabin_with_a_bunk_a_desk_and_a_locker_is_valid():
+    room = made(
+        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall, a small desk with a chair, a locker."
+    )
+    assert room.report.valid
+    assert all(verdict.valid for verdict in room.report.objects)
+
+
+def test_rows_of_desks_look_at_the_board():
+    plan = planned("An office with two rows of six desks, each with a chair, and a whiteboard.")
+    assert all(any(t.kind == "facing" for t in desk.ties) for desk in targets(plan, "desk"))
+
+
+def test_pupils_who_have_their_stools_at_the_tables_get_no_benches_besides():
+    found = counts("A chemistry classroom for sixteen pupils: four lab tables with four stools at each.")
+    assert "lab_bench" not in found
+    assert (
+        counts("A chemistry classroom for sixteen pupils with two lab tables with two stools at each.")["lab_bench"] > 0
+    )
+
+
+def test_a_sink_in_a_counter_is_let_into_it():
+    assert counts("A clinic with a counter with a sink.")["sink"] == 1
+    assert counts("A clinic with a sink on the wall.")["washbasin"] == 1
+
+
+def test_a_nightstand_is_at_the_head_of_a_bed_with_much_beside_it():
+    room = made("A hospital room: a hospital bed with a bedside cabinet, an IV stand and a visitor chair next to it.")
+    (bed,), (stand,) = placed(room, "hospital_bed"), [*placed(room, "bedside_cabinet"), *placed(room, "nightstand")]
+    along, _ = bed.to_local(stand.position[:2])
+    assert along < -bed.size[0] / 4
+
+
+def test_a_car_can_leave_its_garage():
+    room = made("A garage with a car and a workbench")
+    (car,) = placed(room, "car")
+    assert max(opening.width for opening in room.scene.room.openings if opening.kind == "door") > car.size[1]
+
+
+def test_a_tavern_has_its_bar():
+    assert counts("a rustic tavern")["bar_counter"] == 1
