@@ -251,3 +251,20 @@ def test_a_car_can_leave_its_garage():
 
 def test_a_tavern_has_its_bar():
     assert counts("a rustic tavern")["bar_counter"] == 1
+
+
+def test_barriers_that_find_no_room_right_at_a_thing_stand_all_round_it_further_off():
+    room = made("A museum hall, 12 by 9 m, with a dinosaur skeleton in the middle surrounded by eight rope stanchions.")
+    (ring,) = [r for r in room.report.relations if r.kind == "around"]
+    assert ring.holds
+
+
+def test_no_screen_hangs_over_the_seats_of_those_who_wait():
+    room = made("A dentist's waiting room")
+    (screen,) = placed(room, "wall_tv")
+    below = [p for p in placed(room, "chair") if math.dist(p.position[:2], screen.position[:2]) < screen.size[1] / 2]
+    assert not below
+
+
+def test_the_sofas_of_a_bar_have_a_low_table():
+    assert any(t.category == "coffee_table" for t in planned("A bar with two sofas").targets)
