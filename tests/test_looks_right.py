@@ -268,3 +268,20 @@ def test_no_screen_hangs_over_the_seats_of_those_who_wait():
 
 def test_the_sofas_of_a_bar_have_a_low_table():
     assert any(t.category == "coffee_table" for t in planned("A bar with two sofas").targets)
+
+
+def test_a_chest_before_a_sofa_leaves_room_for_legs_and_stands_amid_its_rug():
+    room = made(
+        "A sofa is against the wall. In front of the sofa lies a rug, and on the rug stands an old wooden chest."
+    )
+    (sofa,), (rug,), (chest,) = placed(room, "sofa"), placed(room, "rug"), placed(room, "chest")
+    assert chest.footprint.distance(sofa.footprint) > 0.3
+    assert rug.footprint.contains(chest.footprint)
+
+
+def test_a_table_with_its_chairs_by_the_fridge_is_the_dining_part_of_the_room():
+    found = counts(
+        "An open-plan kitchen and dining room. A long oak table with eight chairs stands next to the fridge."
+    )
+    assert found["chair"] == 8
+    assert sum(number for name, number in found.items() if name.endswith("_table")) == 1

@@ -441,8 +441,13 @@ def _part_off(draft: Draft) -> None:
 
 
 def _is_of_other(draft: Draft, thing: Mention) -> bool:
-    """Whether it is told to be at, on or before another thing, and so no part of the room by itself."""
-    return any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors)
+    """Whether it is told to be at, on or before another thing, and so no part of the room by itself.
+
+    A table with seats of its own is one wherever it stands.
+    """
+    return not _is_seated(draft, thing) and any(
+        b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors
+    )
 
 
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
