@@ -285,3 +285,12 @@ def test_a_table_with_its_chairs_by_the_fridge_is_the_dining_part_of_the_room():
     )
     assert found["chair"] == 8
     assert sum(number for name, number in found.items() if name.endswith("_table")) == 1
+
+
+def test_a_rug_is_under_the_middle_of_a_round_table_or_away_from_it():
+    room = made(
+        "A library with six bookcases along the walls, a round table with a globe and a Persian rug on the floor."
+    )
+    (rug,) = placed(room, "rug")
+    for table in placed(room, "dining_table"):
+        assert rug.footprint.contains(table.footprint) or not rug.footprint.intersects(table.footprint)
