@@ -194,7 +194,7 @@ def _stood_on(situation: Situation, rects: Rects) -> Array:
 
 
 def _half_under(situation: Situation, rects: Rects) -> Array:
-    """What it costs that a rug reaches half under a table at which people sit, and so is neither its rug nor another."""
+    """What it costs that a rug is half under a table at which people sit, and so neither its own nor another."""
     costs = np.zeros(len(rects))
     for p in situation.solid:
         if not facts_of(p.category).is_in("sat_around") or p.position[2] > ON_FLOOR:
