@@ -244,9 +244,11 @@ def test_a_nightstand_is_at_the_head_of_a_bed_with_much_beside_it():
 
 
 def test_a_car_can_leave_its_garage():
-    room = made("A garage with a car and a workbench")
+    room = made("A garage with a car in the middle and a workbench against the back wall")
     (car,) = placed(room, "car")
-    assert max(opening.width for opening in room.scene.room.openings if opening.kind == "door") > car.size[1]
+    gate = max((o for o in room.scene.room.openings if o.kind == "door"), key=lambda opening: opening.width)
+    assert gate.width > car.size[1]
+    assert (car.yaw - room.scene.room.walls[gate.wall].yaw) % 180.0 == pytest.approx(0.0, abs=1.0)
 
 
 def test_a_tavern_has_its_bar():
