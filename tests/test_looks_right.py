@@ -296,3 +296,9 @@ def test_a_rug_is_under_the_middle_of_a_round_table_or_away_from_it():
     (rug,) = placed(room, "rug")
     for table in placed(room, "dining_table"):
         assert rug.footprint.contains(table.footprint) or not rug.footprint.intersects(table.footprint)
+
+
+@pytest.mark.parametrize("prompt", ["A nail salon", "A massage room", "A tattoo studio"])
+def test_nobody_has_their_hair_washed_where_none_is_cut(prompt: str):
+    kinds = {r.category for seed in range(4) for r in varied(read_brief(prompt), seed).requests}
+    assert kinds.isdisjoint({"shampoo_basin", "hairdressing_trolley", "hair_dryer_chair"})
