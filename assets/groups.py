@@ -68,6 +68,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "foot_rugs": "a rug under it reaches out at its foot",
         "lounged_at": "lounge seats gather around it",
         "stands_free": "may stand away from the walls when nothing says where",
+        "driven_out": "leaves the room by its gate, and so stands straight before it",
         "amid_room": "stands away from the walls: what hangs on a wall is near it rather than beside it",
         "in_corners": "likes corners",
         "focal": "looks best centred on its wall",

@@ -201,3 +201,104 @@ def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
     room = made("The dishwasher stands next to the sink; four plates are on the counter.")
     (counter,) = placed(room, "counter")
     assert off_walls(room, counter) < 0.1
+
+
+def test_each_bunk_bed_of_a_dorm_has_its_locker_at_its_head_by_the_wall():
+    room = made("A hostel dorm with four bunk beds and a locker next to every bed.")
+    beds, lockers = placed(room, "bunk_bed"), placed(room, "locker")
+    assert len(beds) == len(lockers) == 4
+    assert all(off_walls(room, thing) < 0.1 for thing in (*beds, *lockers))
+
+
+def test_a_narrow_cabin_with_a_bunk_a_desk_and_a_locker_is_valid():
+    room = made(
+        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall, a small desk with a chair, a locker."
+    )
+    assert room.report.valid
+    assert all(verdict.valid for verdict in room.report.objects)
+
+
+def test_rows_of_desks_look_at_the_board():
+    plan = planned("An office with two rows of six desks, each with a chair, and a whiteboard.")
+    assert all(any(t.kind == "facing" for t in desk.ties) for desk in targets(plan, "desk"))
+
+
+def test_pupils_who_have_their_stools_at_the_tables_get_no_benches_besides():
+    found = counts("A chemistry classroom for sixteen pupils: four lab tables with four stools at each.")
+    assert "lab_bench" not in found
+    assert (
+        counts("A chemistry classroom for sixteen pupils with two lab tables with two stools at each.")["lab_bench"] > 0
+    )
+
+
+def test_a_sink_in_a_counter_is_let_into_it():
+    assert counts("A clinic with a counter with a sink.")["sink"] == 1
+    assert counts("A clinic with a sink on the wall.")["washbasin"] == 1
+
+
+def test_a_nightstand_is_at_the_head_of_a_bed_with_much_beside_it():
+    room = made("A hospital room: a hospital bed with a bedside cabinet, an IV stand and a visitor chair next to it.")
+    (bed,), (stand,) = placed(room, "hospital_bed"), [*placed(room, "bedside_cabinet"), *placed(room, "nightstand")]
+    along, _ = bed.to_local(stand.position[:2])
+    assert along < -bed.size[0] / 4
+
+
+def test_a_car_can_leave_its_garage():
+    room = made("A garage with a car in the middle and a workbench against the back wall")
+    (car,) = placed(room, "car")
+    gate = max((o for o in room.scene.room.openings if o.kind == "door"), key=lambda opening: opening.width)
+    assert gate.width > car.size[1]
+    assert (car.yaw - room.scene.room.walls[gate.wall].yaw) % 180.0 == pytest.approx(0.0, abs=1.0)
+
+
+def test_a_tavern_has_its_bar():
+    assert counts("a rustic tavern")["bar_counter"] == 1
+
+
+def test_barriers_that_find_no_room_right_at_a_thing_stand_all_round_it_further_off():
+    room = made("A museum hall, 12 by 9 m, with a dinosaur skeleton in the middle surrounded by eight rope stanchions.")
+    (ring,) = [r for r in room.report.relations if r.kind == "around"]
+    assert ring.holds
+
+
+def test_no_screen_hangs_over_the_seats_of_those_who_wait():
+    room = made("A dentist's waiting room")
+    (screen,) = placed(room, "wall_tv")
+    below = [p for p in placed(room, "chair") if math.dist(p.position[:2], screen.position[:2]) < screen.size[1] / 2]
+    assert not below
+
+
+def test_the_sofas_of_a_bar_have_a_low_table():
+    assert any(t.category == "coffee_table" for t in planned("A bar with two sofas").targets)
+
+
+def test_a_chest_before_a_sofa_leaves_room_for_legs_and_stands_amid_its_rug():
+    room = made(
+        "A sofa is against the wall. In front of the sofa lies a rug, and on the rug stands an old wooden chest."
+    )
+    (sofa,), (rug,), (chest,) = placed(room, "sofa"), placed(room, "rug"), placed(room, "chest")
+    assert chest.footprint.distance(sofa.footprint) > 0.3
+    assert rug.footprint.contains(chest.footprint)
+
+
+def test_a_table_with_its_chairs_by_the_fridge_is_the_dining_part_of_the_room():
+    found = counts(
+        "An open-plan kitchen and dining room. A long oak table with eight chairs stands next to the fridge."
+    )
+    assert found["chair"] == 8
+    assert sum(number for name, number in found.items() if name.endswith("_table")) == 1
+
+
+def test_a_rug_is_under_the_middle_of_a_round_table_or_away_from_it():
+    room = made(
+        "A library with six bookcases along the walls, a round table with a globe and a Persian rug on the floor."
+    )
+    (rug,) = placed(room, "rug")
+    for table in placed(room, "dining_table"):
+        assert rug.footprint.contains(table.footprint) or not rug.footprint.intersects(table.footprint)
+
+
+@pytest.mark.parametrize("prompt", ["A nail salon", "A massage room", "A tattoo studio"])
+def test_nobody_has_their_hair_washed_where_none_is_cut(prompt: str):
+    kinds = {r.category for seed in range(4) for r in varied(read_brief(prompt), seed).requests}
+    assert kinds.isdisjoint({"shampoo_basin", "hairdressing_trolley", "hair_dryer_chair"})

@@ -166,7 +166,10 @@ class Furnished:
 
     @property
     def strewn(self) -> bool:
-        """Whether many that were to stand in rows, though nobody asked that, stand anyhow for want of floor."""
+        """Whether many that were to stand in rows, though nobody asked that, stand anyhow for want of floor.
+
+        So do beds that nobody asked to stand amid the room.
+        """
         return bool(_broken_rows(self.best.world.scene, self.loop.plan))
 
     @property
@@ -396,7 +399,14 @@ def _broken_rows(scene: Scene, plan: Plan) -> list[str]:
         if target.id in scene and any(tie.kind == "in_rows" and not tie.asked for tie in target.ties):
             requests.setdefault(target.request, []).append(target.id)
     several = (ids for ids in requests.values() if len(ids) >= ROWS)
-    return [ids[0] for ids in several if not measure(scene, "in_rows", ids, ()).holds]
+    broken = [ids[0] for ids in several if not measure(scene, "in_rows", ids, ()).holds]
+    return [*broken, *(ids[0] for ids in requests.values() if _float(scene, ids))]
+
+
+def _float(scene: Scene, ids: Sequence[str]) -> bool:
+    """Whether these are beds of which none has a wall at its head."""
+    beds = facts_of(scene[ids[0]].category).is_in("beds")
+    return beds and not any(measure(scene, "against_wall", id, ("wall",)).holds for id in ids)
 
 
 def _amiss(report: Report, scene: Scene, plan: Plan) -> str:

@@ -65,6 +65,7 @@ KEEPING: Mapping[str, Keeping] = {
     "door": _standing("near door", "against_wall wall"),
     "corner": _standing("in_corner corner", "against_wall wall", groups=("in_corners",)),
     "middle": _standing("in_centre centre", groups=("stands_free",), large=True),
+    "driven": _standing("in_centre centre", groups=("stands_free", "driven_out"), large=True),
     "sanctuary": _standing("near altar", "against_wall wall", clearance=0.4, large=True),
     "furniture": _standing("against_wall wall", clearance=0.6, large=True),
     "machine": _standing("against_wall wall", clearance=0.7, large=True),

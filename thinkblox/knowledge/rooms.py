@@ -43,6 +43,17 @@ class Panes(Value, frozen=True, kw_only=True):
     count: Annotated[int, Meta(ge=1, le=12)] | None = None
 
 
+class Entrance(Value, frozen=True, kw_only=True):
+    """What a type of room is entered by, where that is wider than a door of a house; it opens outwards.
+
+    Attributes:
+        width, height: of it [m].
+    """
+
+    width: Positive
+    height: Positive
+
+
 class RoomType(Value, frozen=True, kw_only=True):
     """A typical room.
 
@@ -62,6 +73,7 @@ class RoomType(Value, frozen=True, kw_only=True):
         windowless: it has no window unless the prompt asks for one.
         panes: its windows, where they are unlike those of houses.
         entered_at_end: its door is in the middle of a short wall.
+        entrance: its door, where that is no door for people: the gate of a garage.
         run: how what is built in one line along a wall stands, where the type is called by it: round a corner,
             along three sides, or along two walls across from each other.
         across: the least and the greatest length of its shorter side, where the type is called by that [m].
@@ -83,6 +95,7 @@ class RoomType(Value, frozen=True, kw_only=True):
     windowless: bool = False
     panes: Panes | None = None
     entered_at_end: bool = False
+    entrance: Entrance | None = None
     run: Literal["", "corner", "sides", "facing"] = ""
     across: tuple[Positive, Positive] | None = None
     shapes: dict[str, str] = {}

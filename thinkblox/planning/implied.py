@@ -170,9 +170,11 @@ def _crowd(members: Members, first: Member) -> int:
 def _look_ahead(members: Members, request: list[Member]) -> None:
     """Rows of seats or of desks look at the board, or at what they attend to, where nobody says at what."""
     habits, first = load_habits(), request[0]
-    in_rows = all(any(tie.kind == "in_rows" for tie in member.ties) for member in request)
+    rows = [tie for member in request for tie in member.ties if tie.kind == "in_rows"]
+    in_rows = len(rows) >= len(request)
+    kinds = ("lined_up", "seating", "long_sides", *(("in_blocks",) if any(tie.asked for tie in rows) else ()))
     looking = any(tie.kind in _WITHOUT_PLACE for tie in first.ties)
-    if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating", "long_sides"):
+    if not in_rows or looking or not habits.is_in(first.category, *kinds):
         return
     for category in (*habits.group("boards"), *habits.group("attended")):
         boards = (m for m in members.of_category(category) if not any(members.depends(m, w) for w in request))

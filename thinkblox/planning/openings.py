@@ -28,6 +28,8 @@ _CLOSET, _SHORT = 4.0, 1.7
 """Floor [m2] and shorter side [m] below which a room is entered by a narrow door that opens outwards."""
 _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
+_LEAF = 1.2
+"""A door that is wider than this does not turn into the room [m]."""
 _DOORS_APART = 3.0
 """Doors that are further apart do not get in each other's way [m]."""
 _MANY_WINDOWS, _MAYBE_TWO = 30.0, 14.0
@@ -215,7 +217,9 @@ class _Openings:
     def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
         wall, kind = self.room.walls[index], wanted.kind
         closet = self._is_closet()
-        door = _LEAST_DOOR if closet else DOOR[0]
+        door, high = (_LEAST_DOOR if closet else DOOR[0]), DOOR[1]
+        if self.kind.entrance is not None and not self.openings:
+            door, high = self.kind.entrance.width, self.kind.entrance.height
         usual = door if kind == "door" else self._window_width(wall.length / wanted.count)
         width = round(max(_LEAST_DOOR if kind == "door" else _LEAST_WINDOW, share * usual), 2)
         number = sum(opening.kind == kind for opening in self.openings) + 1
@@ -231,9 +235,9 @@ class _Openings:
                 wall=index,
                 offset=offset,
                 width=width,
-                height=min(DOOR[1], top),
+                height=min(high, top),
                 hinge=hinge,
-                opens="out" if closet else "in",
+                opens="out" if closet or width > _LEAF else "in",
             )
         sill, height = self._upright(top)
         return Opening(

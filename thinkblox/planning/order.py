@@ -38,6 +38,8 @@ _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
 _OVER_BONUS = 2.0
 """What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
+_BESIDE_BONUS = 1.0
+"""What counts for what belongs beside a thing before all else: a nightstand comes before a chair for visitors [m2]."""
 _COMPANION_BONUS = 0.5
 """What counts for what keeps its place by another on a surface: it comes next after that, before the rest [m2]."""
 _BEFORE, _AT_END = 10_000, 1.2
@@ -163,6 +165,7 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
             arranged=arranged,
             with_anchor=_is_with_anchor(member, members),
             companion=_companion(member, members),
+            belongs=_belongs_beside(member, members),
         )
         for number, member in enumerate(members.all)
     }
@@ -263,6 +266,15 @@ def _is_with_anchor(member: Member, members: Members) -> bool:
     return len(kinds) == 1 and all(facts_of(category).is_in(group) for category in anchors)
 
 
+def _belongs_beside(member: Member, members: Members) -> bool:
+    """Whether it is asked to be next to what it usually is next to, and stands on the floor."""
+    first = next(iter(load_habits().of(member.category)), None)
+    if first is None or first.kind != "next_to" or not facts_of(member.category).is_in("cases"):
+        return False
+    beside = (a for tie in member.ties if tie.kind == "next_to" for a in tie.anchors if a in members.by_id)
+    return any(members.by_id[anchor].category in first.anchors for anchor in beside)
+
+
 def _companion(member: Member, members: Members) -> Member | None:
     """What a thing on a surface keeps its place by, as a keyboard does by the screen; None where that is not there."""
     companion = facts_of(member.category).companion
@@ -271,7 +283,9 @@ def _companion(member: Member, members: Members) -> Member | None:
     return next(iter(members.of_category(companion.category)), None)
 
 
-def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, companion: Member | None) -> _Rank:
+def _rank(
+    member: Member, number: int, *, arranged: bool, with_anchor: bool, companion: Member | None, belongs: bool
+) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
     What stands before a run, or is one with a counter, comes with it.
@@ -288,6 +302,6 @@ def _rank(member: Member, number: int, *, arranged: bool, with_anchor: bool, com
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _OVER_BONUS * _is_over(member)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
-    weight += _COMPANION_BONUS * (companion is not None)
+    weight += _COMPANION_BONUS * (companion is not None) + _BESIDE_BONUS * belongs
     late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

@@ -9,6 +9,7 @@ from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
 from thinkblox.planning.space import across_need, depth_need, needed_area, run_length, wall_needs
+from thinkblox.planning.walls import speaks_of_sides
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
@@ -63,7 +64,10 @@ def larger(brief: Brief, room: Room, factor: float) -> Brief:
 
 
 def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
-    """Sides of the floor's bounding box along x and y [m]; the longer lies along x where the prompt leaves it open."""
+    """Sides of the floor's bounding box along x and y [m]; the longer lies along x where the prompt leaves it open.
+
+    It leads away from a gate that is in the near wall: cars stand straight before it.
+    """
     proportion = _proportion(brief, rng)
     if brief.width is not None and brief.depth is not None:
         return brief.width, brief.depth
@@ -83,6 +87,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
         return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
     width = round(min(MAX_SIDE, area / depth), digits)
+    if kind.entrance is not None and speaks_of_sides(brief):
+        width, depth = min(width, depth), max(width, depth)
     if brief.area is not None:
         return width, depth
     least_width, least_depth = wall_needs(brief)

@@ -51,7 +51,7 @@ _MANY, _MOST_WALLS = 4, 3
 """So many along the walls stand at several, and at how many at most: one has the door."""
 _FAR_WORDS = 5
 """So many words further on a place is still that of a thing."""
-_SINGLE = "single"
+_SINGLE, _LOCKER = "single", "locker"
 _TILL = "cash_register"
 _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
 """Words in the names of what one pays at."""
@@ -165,13 +165,19 @@ def _fill_shelves(cases: list[Mention], laid: list[Bond], most: int) -> None:
 
 
 def bed_down(draft: Draft) -> None:
-    """Single beds where nobody says which: for children and students, and where there are several in a bedroom."""
+    """Single beds where nobody says which: for children and students, and where there are several in a bedroom.
+
+    The lockers of those who sleep in a room have one door each.
+    """
     beds = [t for t in draft.things if load_habits().is_in(t.noun, "own_bed")]
     for bed in [t for t in beds if _SINGLE in kind_of(t.noun).variants]:
         several = (bed.count or 1) > 1 and room_type(draft.room).sleeps
         sized = bed.size is not None or not kind_of(bed.noun).variants.keys().isdisjoint(bed.attributes)
         if (several or room_type(draft.room).narrow_beds) and not sized and not {"large", "big"} & set(bed.attributes):
             bed.attributes.append(_SINGLE)
+    for locker in [t for t in draft.things if t.noun == _LOCKER and _has(draft, "beds")]:
+        if locker.size is None and kind_of(locker.noun).variants.keys().isdisjoint(locker.attributes):
+            locker.attributes.append(_SINGLE)
 
 
 def counted_seats(draft: Draft) -> tuple[str, ...]:
@@ -437,9 +443,12 @@ def _part_off(draft: Draft) -> None:
 
 
 def _is_of_other(draft: Draft, thing: Mention, own: Collection[str]) -> bool:
-    """Whether it is told to be at, on or before what is not of its own part of the room, and so no part by itself."""
+    """Whether it is told to be at, on or before what is not of its own part of the room, and so no part by itself.
+
+    A table with seats of its own is one wherever it stands.
+    """
     anchors = (a for b in draft.bonds_of(thing) for a in b.anchors if b.asked and isinstance(a, Mention))
-    return any(anchor.noun not in own for anchor in anchors)
+    return not _is_seated(draft, thing) and any(anchor.noun not in own for anchor in anchors)
 
 
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
@@ -737,7 +746,7 @@ def _give_places(draft: Draft) -> None:
     shared_table = any(
         load_habits().is_in(t.noun, "meal_tables") and not _is_too_small(t, draft.people) for t in draft.things
     )
-    if draft.people < 2 or not room.place or not there or unsaid or shared_table:
+    if draft.people < 2 or not room.place or not there or unsaid or shared_table or _are_seated(draft, there):
         return
     made: dict[str, Mention] = {t.noun: t for t in draft.things}
     for usual in room.usual:
@@ -754,6 +763,16 @@ def _give_places(draft: Draft) -> None:
                     draft.bonds.append(bond)
                 elif not anchor:
                     draft.bonds.append(Bond(relation_kind(kind), thing, (), each=each, asked=False))
+
+
+def _are_seated(draft: Draft, tables: list[Mention]) -> bool:
+    """Whether the prompt gives all the people of a room their seats at some of its tables: four stools at each."""
+    drawn = (b for b in draft.bonds if b.asked and b.kind in _SEATED and not b.negated and _is_stool(b.subject))
+    seats = 0
+    for bond in drawn:
+        served = [table for table in tables if table in bond.anchors]
+        seats += (bond.subject.count or 1) * (sum(t.count or 1 for t in served) if bond.each else bool(served))
+    return seats >= draft.people
 
 
 def _is_chair(thing: Mention) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.assets import facts_of
 from thinkblox.plan import Tie
@@ -30,6 +31,8 @@ ROUND_TUCKS = (0.05, -0.05)
 """The same at a round table: its legs stand between the seats."""
 UNTUCKED = (0.0, -0.05, -0.1)
 """The same for what nobody sits on."""
+APART = (0.25, 0.5)
+"""How far off a thing those keep who find no room right at it and do not sit there [m]."""
 LEG_ROOM = (-0.4, -0.35, -0.45)
 """The same for who leans back before a low table: that far off it."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
@@ -204,7 +207,19 @@ def _companies(situation: Situation, anchor: Placement, count: int) -> list[list
     crowded = count > 1 and situation.size[1] > max(anchor.size[:2])
     if wide and (crowded or not is_seat(situation.target.category)):
         return wide
-    return _rectangles(anchor, count, place=max(PLACE_WIDTH, situation.size[1] + 0.05))
+    place = max(PLACE_WIDTH, situation.size[1] + 0.05)
+    if not is_seat(situation.target.category):
+        anchor = _wide_enough(anchor, count, place)
+    return _rectangles(anchor, count, place=place)
+
+
+def _wide_enough(anchor: Placement, count: int, place: float) -> Placement:
+    """A thing with so much about it that all have room along its sides; as it is where that is no help."""
+    for off in (0.0, *APART):
+        depth, width = (side + 2 * off for side in anchor.size[:2])
+        if 2 * sum(int((side + 0.05 - 2 * LEG) / place) for side in (depth, width)) >= count:
+            return structs.replace(anchor, size=(depth, width, anchor.size[2]))
+    return anchor
 
 
 def _circles(anchor: Placement, count: int, width: float, tucked: float) -> list[list[Place]]:

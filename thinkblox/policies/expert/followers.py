@@ -200,6 +200,15 @@ def _hidden(situation: Situation, rects: Rects) -> Array:
     return np.asarray(cost * (overlap_depth(seen, situation.solids) > 0.01).any(-1))
 
 
+def _behind_seats(situation: Situation, rects: Rects) -> Array:
+    """What it costs that a screen hangs over a seat, from which nobody sees it."""
+    if not situation.facts.is_in("watched"):
+        return np.zeros(len(rects))
+    seats = tuple(p for p in situation.solid if facts_of(p.category).is_in("seating"))
+    below = Rects(rects.centre, rects.half + LEANS_OUT, rects.yaw, np.zeros(len(rects)), rects.bottom)
+    return np.asarray(HIDDEN * (overlap_depth(below, Rects.of_placements(seats)) > TOUCH).any(-1))
+
+
 def _over_heads(situation: Situation, rects: Rects) -> Array:
     """What it costs that a shelf with things on it hangs over where people lie, sit, play or cook, or a plant grows."""
     costs = np.zeros(len(rects))
@@ -220,6 +229,7 @@ def _over_heads(situation: Situation, rects: Rects) -> Array:
 def costs_below(situation: Situation, rects: Rects) -> Array:
     """Room on the floor below a hung thing for what is to stand under it, and that it is seen."""
     costs = _wall_below_taken(situation, rects) + _hidden(situation, rects) + _over_heads(situation, rects)
+    costs += _behind_seats(situation, rects)
     for follower in situation.followers:
         if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
             depth, width, height = situation.kind(follower).size

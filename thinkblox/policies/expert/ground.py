@@ -6,7 +6,7 @@ from thinkblox.assets import facts_of
 from thinkblox.knowledge.uses import SIDE_WAY, uses
 from thinkblox.knowledge.zones import zone_of
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.policies.expert.ways import in_the_way
+from thinkblox.policies.expert.ways import across_gates, in_the_way
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth, separation
 from thinkblox.scene.zones import beside, fewest, joined
 
@@ -53,7 +53,7 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     promised = overlap_depth(rects, situation.promised)
     costs += (4.0 * promised + NO_ROOM_LEFT * (promised > SPARE)).sum(-1)
-    costs += in_the_way(situation, rects) + _back_in_room(situation, rects)
+    costs += in_the_way(situation, rects) + across_gates(situation, rects) + _back_in_room(situation, rects)
     costs += _among_staff(situation, rects) + _at_their_backs(situation, rects) + _out_of_zone(situation, rects)
     if situation.size[2] > SEEN_OVER:
         seated = SEATED_ROUND if situation.facts.is_in("sat_around") else 0.0

@@ -42,6 +42,8 @@ from thinkblox.scene.support import ON_FLOOR
 
 AT_COUNTER = (0.1, 0.2, 0.3)
 """Free distance of a stool to the counter that it stands at, the best first [m]."""
+BEFORE_LOUNGE = (0.4, 0.35, 0.5)
+"""Free distance to a lounge seat of what stands before it, for the legs of who sits there [m]."""
 OUT_OF_LINE = 2.0
 """Cost of a place before something that is none of those that are shared out among several."""
 TURNED_AWAY = 8.0
@@ -111,6 +113,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     if any(tie.kind == "above" and situation.placed(tie.anchors) for tie in ties):
         ties = tuple(tie for tie in ties if tie.kind != "on" or tie.anchors not in (("wall",), ("ceiling",)))
+    if not situation.asset.collides:  # What stands on a rug decides where that lies, and then what it lies before.
+        ties = tuple(sorted(ties, key=lambda tie: tie.kind != "under"))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
@@ -464,6 +468,9 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
         yield from open_floor.presenting(situation, anchor)
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
+    standing = situation.asset.collides and not is_seat(situation.target.category)
+    if standing and is_lounge(anchor.category) and max(gaps) < BEFORE_LOUNGE[0]:
+        gaps = BEFORE_LOUNGE
     why = f"it belongs before {anchor.id}"
     if situation.facts.is_in("low_tables") and anchor.size[0] > ROUND_CORNER and not tie.asked:
         yield from _within_corner(situation, anchor, gaps, why)

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.assets import facts_of
 from thinkblox.observe import Layout
 from thinkblox.plan import Tie, is_object
 from thinkblox.policies.expert.followers import costs_below, follower_costs
@@ -39,6 +40,8 @@ SWING, IN_SWING = 0.5, 8.0
 """Free floor all round what hangs among people [m], and the cost per metre of what is in it."""
 STOOD_ON = 8.0
 """Cost per metre by which furniture stands on a rug that is a place of its own."""
+HALF_UNDER, OFF_TABLE = 3.0, 1.5
+"""Cost of a rug of which only a part is under a table, and per metre from its middle to that of one on it."""
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
 CASING, ON_CASING = 0.1, 4.0
@@ -144,7 +147,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     out = outside(rects, situation.room.polygon)
     costs = np.where(out > 0.0005, HOPELESS + 50.0 * out, 0.0)
     if not situation.asset.collides:
-        return costs + 6.0 * _other_rugs(situation, rects) + _stood_on(situation, rects)
+        return costs + 6.0 * _other_rugs(situation, rects) + _stood_on(situation, rects) + _half_under(situation, rects)
     costs += np.where(overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > TOUCH, KEPT_FREE, 0.0)
     worst = depth_in_others(situation, ideas, rects)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
@@ -188,6 +191,20 @@ def _stood_on(situation: Situation, rects: Rects) -> Array:
     if not any(tie.kind == "in_corner" for tie in situation.target.ties):
         return np.zeros(len(rects))
     return np.asarray(STOOD_ON * overlap_depth(rects, situation.solids).max(-1, initial=0.0))
+
+
+def _half_under(situation: Situation, rects: Rects) -> Array:
+    """What it costs that a rug is half under a table at which people sit, and so neither its own nor another."""
+    costs = np.zeros(len(rects))
+    for p in situation.solid:
+        if not facts_of(p.category).is_in("sat_around") or p.position[2] > ON_FLOOR:
+            continue
+        to = np.array(p.position[:2]) - rects.centre
+        off = np.abs((rects.axes @ to[:, :, None])[:, :, 0])
+        reach = max(p.size[:2]) / 2
+        apart, within = (off - reach > rects.half).any(-1), (off + reach <= rects.half).all(-1)
+        costs += np.where(apart, 0.0, np.where(within, OFF_TABLE * np.linalg.norm(off, axis=-1), HALF_UNDER))
+    return costs
 
 
 def _other_rugs(situation: Situation, rects: Rects) -> Array:

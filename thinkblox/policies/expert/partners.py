@@ -38,6 +38,18 @@ def gaps_in_row(situation: Situation) -> tuple[float, ...]:
     return tuple(round(width + 2 * air, 3) for air in AIRS) if width else ()
 
 
+def beside_each(situation: Situation) -> float:
+    """Free distance that neighbours in a row need for what stands next to each of them alone [m]; 0 for nothing."""
+    alike = {t.id for t in situation.observation.plan.targets if t.request == situation.target.request}
+    widths: dict[str, float] = {}
+    for later in situation.observation.plan.targets:
+        by = {a for tie in later.ties if tie.kind == "next_to" and tie.asked for a in tie.anchors if a in alike}
+        if len(by) == 1 and situation.kind(later).mount == "floor":
+            (own,) = by
+            widths[own] = widths.get(own, 0.0) + situation.kind(later).size[1] + AIRS[0]
+    return round(max(widths.values()) + AIRS[0], 3) if widths else 0.0
+
+
 def _takes_floor(situation: Situation, target: Target) -> bool:
     return situation.kind(target).mount in ("floor", "surface")
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.partners import gaps_in_row
+from thinkblox.policies.expert.partners import beside_each, gaps_in_row
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
@@ -141,7 +141,9 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
     costs = {aisle: 0.1 * rank for rank, aisle in enumerate(aisles if rows > 1 else aisles[:1])}
     if situation.facts.is_in("from_aisles") and rows > 1 and even_aisle > aisles[0]:
         costs |= {round(aisles[0] + (even_aisle - aisles[0]) * k / 3, 2): 0.05 * k for k in (1, 2, 3, 4)}
-    for order, beside in enumerate(gaps_in_row(situation) or situation.facts.row.beside):
+    least = beside_each(situation)
+    usual = dict.fromkeys(max(gap, least) for gap in situation.facts.row.beside)
+    for order, beside in enumerate(gaps_in_row(situation) or usual):
         dear = 0.1 * order + NO_WAY * (situation.facts.row.abreast > 1 and beside < WAY)
         yield from (_Spacing(beside, aisle, cost + dear) for aisle, cost in costs.items())
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import WALL_GAP
-from thinkblox.policies.expert.partners import gaps_in_row
+from thinkblox.policies.expert.partners import beside_each, gaps_in_row
 from thinkblox.policies.expert.row_layout import is_in_blocks
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import oriented
@@ -69,12 +69,13 @@ def _gaps(situation: Situation, wall: Wall, columns: int) -> tuple[float, ...]:
     """Free distances to the neighbour, for what stands in line as even as the wall allows; then the usual ones [m]."""
     if between := gaps_in_row(situation):
         return between
-    usual = situation.facts.row.beside
+    least = beside_each(situation)
+    usual = tuple(dict.fromkeys(max(gap, least) for gap in situation.facts.row.beside))
     if not situation.facts.is_in("in_line", "beds"):
         return usual
     _, (_, width) = oriented(situation.size, situation.asset.front)
     even = (wall.length - columns * width) / columns
-    return (min(even, WIDEST), *usual) if even > usual[0] else usual
+    return (min(even, max(WIDEST, least)), *usual) if even > usual[0] else usual
 
 
 def _row(

@@ -24,6 +24,8 @@ TOUCHING = 0.9
 """Cost of standing close up to something that needs air, or of needing air oneself."""
 BESIDE_WALL = 0.35
 """Share of a gap's cost where the other side is a wall and the thing stands against another one."""
+ACROSS_GATE = 6.0
+"""Cost of standing across the gate by which a thing leaves the room."""
 CROWDS_WALL = 0.5
 """Cost of a wall close up to something that people sit or play around."""
 UNBALANCED = 0.9
@@ -46,6 +48,16 @@ def in_the_way(situation: Situation, rects: Rects, *, beside: frozenset[str] = f
     gaps = separation(rects, Rects.of_placements(others))
     costs = gap_cost(gaps) + _touching(situation, gaps, others)
     return np.asarray(costs.sum(-1)) + _walls(situation.room, rects, free=situation.facts.is_in("sat_around"))
+
+
+def across_gates(situation: Situation, rects: Rects) -> Array:
+    """What it costs that a car stands across the gate by which it leaves, where there is one that is wide enough."""
+    room, width = situation.room, min(situation.size[:2])
+    gates = [room.walls[o.wall] for o in room.openings if o.kind == "door" and o.width > width]
+    if not gates or not situation.facts.is_in("driven_out"):
+        return np.zeros(len(rects))
+    out = np.abs(rects.axes[:, 0] @ np.array([wall.inward for wall in gates]).T)
+    return np.asarray(ACROSS_GATE * (1.0 - out.max(-1)))
 
 
 def _touching(situation: Situation, gaps: Array, others: tuple[Placement, ...]) -> Array:
