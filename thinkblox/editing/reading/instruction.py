@@ -8,10 +8,12 @@ from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Instruction, Order
 from thinkblox.editing.reading.accounting import unaccounted
 from thinkblox.editing.reading.another_one import with_another
-from thinkblox.editing.reading.clauses import Clause, clauses, without_announcements, without_reasons
+from thinkblox.editing.reading.clause import Clause
+from thinkblox.editing.reading.clauses import clauses
 from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
 from thinkblox.editing.reading.its_own import with_its_own
+from thinkblox.editing.reading.leads import without_announcements, without_reasons
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (

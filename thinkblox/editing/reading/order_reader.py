@@ -7,7 +7,7 @@ from typing import cast
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import Doing, Order
-from thinkblox.editing.reading.clauses import Clause
+from thinkblox.editing.reading.clause import Clause
 from thinkblox.editing.reading.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.reading.draft import OrderDraft
 from thinkblox.editing.reading.finishing import finish

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clauses import ENDS, starts_with_verb
+from thinkblox.editing.reading.clause import ENDS
+from thinkblox.editing.reading.clause_starts import starts_with_verb
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token, tokenise
 
