@@ -16,7 +16,14 @@ from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, Apart, At, Goal, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
-from thinkblox.editing.place_settings import are_seats_around, is_laid_before, is_set_beside, so_many
+from thinkblox.editing.place_settings import (
+    are_seats_around,
+    is_laid_before,
+    is_set_beside,
+    seat_like,
+    settings_on,
+    so_many,
+)
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.rows import rows_of
 from thinkblox.editing.spots import Pose, between, likely, spots
@@ -121,7 +128,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     count = _how_many(noun, places, several)
     if count > MOST:
         raise InputError(f"'{noun.text}': one order adds at most {MOST} things; that would be {count}")
-    added = []
+    added: list[str] = []
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
         middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
@@ -135,6 +142,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         goals = goals or _at_window(work, category)
+        goals = [*_abreast(goals), Abreast("next_to", (added[-1],))] if order.mutual == "next_to" and added else goals
         tried = len(work.failed)
         id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
         id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
@@ -146,6 +154,29 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _laid_for_each(work: Work, finder: Finder, order: Order, noun: Noun, places: Sequence[Where]) -> list[str]:
+    """Lay so many things on a table before the seats that are at it; empty where they do not lie so, or cannot."""
+    onto = places[0] if len(places) == 1 and places[0].word in ("on", "to") and not places[0].negated else None
+    table = onto.noun if onto is not None and onto.whole is None else None
+    if table is None or table.kind not in ("thing", "pronoun") or table.many or order.facing or order.closer:
+        return []
+    ids = finder.ids(NounPhrase(table, id=table.id))
+    spots = settings_on(work, noun.value, ids[0], noun.count or 1) if len(ids) == 1 else []
+    saved, said = work.saved(), (len(work.done), len(work.failed))
+    added: list[str] = []
+    one = replace(noun, count=1, plural=False)
+    for kind, id in spots:
+        mark = Noun("thing", work.scene[id].category, 0, 0, id, det="the", id=id)
+        came = _add(work, finder, Order("add", order.text), NounPhrase(replace(one)), [Where(kind, mark, text=kind)])
+        if not came or work.scene[came[0]].support != ids[0]:
+            work.restore(saved)
+            del work.done[said[0] :], work.failed[said[1] :]
+            finder.scene = work.scene
+            return []
+        added += came
+    return added
 
 
 def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
@@ -165,9 +196,11 @@ def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
 def _add_in_rows(
     work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> list[str] | None:
-    """Add another row, or more to one that is there; None where it is neither."""
+    """Add another row, more to one that is there, or one before each seat of a table; None where it is other."""
     if is_row(phrase.noun):
         return add_rows(work, finder, order, phrase, places)
+    if laid := _laid_for_each(work, finder, order, phrase.noun, places):
+        return laid
     line = _line_said(work, finder, phrase.noun, places)
     if not line or order.facing or order.closer or order.apart:
         return None
@@ -210,6 +243,13 @@ def _add_to_line(work: Work, noun: Noun, line: list[str]) -> list[str]:
     return added
 
 
+def _abreast(goals: Sequence[Goal]) -> list[Goal]:
+    """What is asked of the second of several that stand side by side: to look where the first does."""
+    related_ = [goal for goal in goals if isinstance(goal, Related) and not goal.negated]
+    looks = [Related("facing", goal.anchors) for goal in related_ if goal.kind in ("opposite", "facing")]
+    return [*(goal for goal in goals if goal not in related_), *looks]
+
+
 def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
     """What is to be added and is there, which is noted; None where something has to be added."""
     if noun.det != "another" and not _without_laid(work, category, slots):
@@ -231,10 +271,11 @@ def _lies_there(work: Work, category: str, slots: Sequence[Sequence[Bound]]) -> 
 
 
 def _there_where(work: Work, spot: Placement, category: str) -> list[Goal]:
-    """At the spot of something that is gone: on the floor where that stood on it, and not on what is nearby."""
-    stands = spot.support == "floor" and work.source.usual(category)[1] in ("floor", "surface")
-    there: Goal = Spot(spot.position[:2], THERE, old=spot)
-    return [there, Related("on", ("floor",))] if stands else [there]
+    """At the spot of something that is gone: on what that stood on, and not on what is nearby."""
+    mount, there = work.source.usual(category)[1], Spot(spot.position[:2], THERE, old=spot)
+    stands = spot.support == "floor" and mount in ("floor", "surface")
+    rests = spot.support in work.scene and mount == "surface"
+    return [there, Related("on", (spot.support,))] if stands or rests else [there]
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
@@ -413,7 +454,7 @@ def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], alo
     for head in heads if along else ():
         finder.scene, finder.recent = work.scene, [head]
         for where in along:
-            noun = where.noun
+            noun = seat_like(work, where.noun, head) if where.noun is not None else None
             it = Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head)
             noun = so_many(work, noun, head, several=len(heads) > 1) if noun is not None else None
             if noun is not None and is_laid_before(work, noun.value, head):
@@ -532,7 +573,7 @@ def add_one(
 def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The very place of what stood on the floor where something comes now, turned as that was."""
     for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
-        if asset.mount == "floor" and old.support == "floor":
+        if asset.mount in ("floor", "surface") and old.support == "floor":
             yield (*old.position[:2], 0.0), old.yaw
 
 

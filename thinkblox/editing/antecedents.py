@@ -137,14 +137,15 @@ def _of_head(phrase: NounPhrase, head: Noun | None, *, by_place: bool, one: bool
     noun = phrase.noun
     them = noun.kind == "pronoun" and noun.value == "them" and noun.det != "other"
     told = bool(noun.rows or (by_place and phrase.places))
-    number = one and noun.kind == "number" and not noun.rows and noun.det == "the"
+    some = noun.kind in ("number", "pronoun") and noun.count and noun.text.lower().endswith("of them")
+    number = one and noun.kind == "number" and not noun.rows and (noun.det == "the" or some)
     if not (them and told) and not number:
         return
     if head is None:
         raise InputError(f"'{noun.text}' points at nothing that was named before; name what you mean")
     phrase.noun = replace(
-        head, det="the", plural=them or (noun.count or 1) > 1, count=noun.count, rows=noun.rows, ordinal=noun.ordinal,
-        side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
+        head, det="" if some else "the", of_known=bool(some), plural=them or (noun.count or 1) > 1, count=noun.count,
+        rows=noun.rows, ordinal=noun.ordinal, side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
     )  # fmt: skip
 
 

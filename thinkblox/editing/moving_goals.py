@@ -72,7 +72,8 @@ def goals_of(
     if order.seated:
         goals += _seated(work, id, order)
     said = [phrase.noun for _, phrase in order.apart]
-    closer = [(nearer, phrase) for nearer, phrase in order.closer if not any(noun is phrase.noun for noun in said)]
+    bounded = order.bound and not order.lengths
+    closer = [(near, phrase) for near, phrase in order.closer if bounded or not any(n is phrase.noun for n in said)]
     goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in closer]
     goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
     goals += [backing(finder, noun) for noun in order.backs]

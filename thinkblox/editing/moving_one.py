@@ -47,7 +47,7 @@ from thinkblox.editing.spots import (
 )
 from thinkblox.editing.stepping import by_step
 from thinkblox.editing.taking_place import THERE, at_spot, is_there
-from thinkblox.editing.turning import turn_by
+from thinkblox.editing.turning import straighten, turn_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
@@ -73,6 +73,8 @@ def move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> N
     """Move one thing, and turn it where the same order says by how much."""
     if goals or order.direction:
         move_one(work, order, id, goals)
+    if order.facing and order.turn is None and id in work.scene:
+        straighten(work, id, goals)
     if order.turn is not None:
         turn_by(work, id, order)
 

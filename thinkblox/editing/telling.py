@@ -172,6 +172,9 @@ def _at_owners(finder: Finder, noun: Noun, owners: Sequence[str], found: Sequenc
     seated = {p.id: any(measure(finder.scene, "at", p.id, (id,)).holds for id in owners) for p in found}
     resting = [p for p in found if set(finder.scene.carriers(p.id)) & set(owners)]
     near = resting or [p for p in found if seated[p.id]] or [p for p in found if away[p.id] <= BELONGING]
+    if not near and finder.start is not None and finder.scene is not finder.start:
+        begun = [p for p in finder.start.placements if p.id in away]
+        return _at_owners(dataclasses.replace(finder, scene=finder.start), noun, owners, begun)
     if not near:
         raise InputError(f"'{noun.text}': none of {', '.join(away)} is within {BELONGING:g} m of {', '.join(owners)}")
     if not resting:

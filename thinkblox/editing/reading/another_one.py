@@ -40,8 +40,8 @@ def with_another(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 def _verb(tokens: Sequence[Token], at: int) -> str:
     """What is done by the verb that begins there; empty where none does."""
-    found = longest("verbs", tokens, at)
-    return found[0] if found is not None else ""
+    found, change = longest("verbs", tokens, at), longest("resizing", tokens, at)
+    return found[0] if found is not None else "make" if change is not None else ""
 
 
 def _another_at(tokens: Sequence[Token], at: int) -> int:

@@ -179,7 +179,9 @@ def wished_at(tokens: Sequence[Token], at: int, index: int, key: str, length: in
     if key == "have":
         after -= last in ("a", "an", "one", "two")
         return Start(at, after, "add", before=(), whose=subject)
-    if key == "put" and last in _GONE and ends_at(tokens, after):
+    spared = grammar().at(tokens, after, "prepositions") if after < len(tokens) else None
+    gone = ends_at(tokens, after) or (spared is not None and spared.value == "except")
+    if key == "put" and last in _GONE and gone:
         key = "remove"
     if key == "face":
         after -= 2 if last == "at" else 1

@@ -31,6 +31,7 @@ from thinkblox.editing.reading.leads import (
     is_of_other,
     is_reason,
     obtained_in,
+    one_of,
     told_about,
     without_unwanted,
 )
@@ -69,7 +70,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
         if not number and about:
-            body = compared_with(told, body)
+            body = one_of(about, compared_with(told, body))
         if not number and new and body[:1] and body[0].text in ("it", "them") and start.doing in ("move", "put"):
             body, start = (*new, *body[1:]), replace(start, doing="put")
         elif not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
@@ -265,6 +266,9 @@ def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
     first = after_fillers(tokens)
+    if (found := longest("mirroring", tokens, first)) is not None:
+        says = spoken(tokens[first : first + found[1]], named)
+        raise InputError(f"'{says}': a layout is not mirrored; say what goes where, or 'swap the bed and the desk'")
     if longest("undo", tokens, first) is not None:
         raise InputError(
             f"'{spoken(tokens, named)}' is not an edit of its own: the last edit is taken back with --undo, or with"

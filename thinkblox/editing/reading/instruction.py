@@ -32,8 +32,11 @@ from thinkblox.editing.reading.rewording import (
     without_rather_than,
 )
 from thinkblox.editing.reading.row_words import with_rows
+from thinkblox.editing.reading.said_more import with_more_said
+from thinkblox.editing.reading.seen_from import as_seen
 from thinkblox.editing.reading.side_words import with_sides
 from thinkblox.editing.reading.slips import without_slip
+from thinkblox.editing.reading.table_laying import with_settings
 from thinkblox.editing.reading.verbless import with_verbs
 from thinkblox.errors import InputError
 from thinkblox.reading.lexicon import Lexicon, load
@@ -59,8 +62,9 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     spelt = [without_slip(lexicon, token) for token in lexicon.tokens(plain)]
-    read = corrected(lexicon, with_sides(lexicon, spelt))
-    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(read))))
+    read = as_seen(corrected(lexicon, with_sides(lexicon, spelt)))
+    more = with_settings(with_more_said(lexicon, read))
+    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(more))))
     owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
     said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))

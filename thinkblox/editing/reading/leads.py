@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import AGAIN, ENDS, LINKS, NEWS, POINTERS, TO, Start, after_fillers, is_filler_at
 from thinkblox.editing.reading.clause_starts import start_at, starts_of
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.tokens import Token
 
 _PLACING = ("at", "around", "by", "next_to", "near", "on", "in", "behind", "in_front_of", "against", "above", "under")
@@ -103,8 +104,32 @@ def told_about(lead: Sequence[Token]) -> tuple[Token, ...]:
     """What a statement before an order is about, which "it" means there: "the desk is too close, move it back"."""
     first = after_fillers(lead)
     told = next((n for n in range(first, len(lead)) if means("statements", lead[n].text)), first)
+    told = told if told > first else _named_first(lead, first)
     pointed = told > first and lead[first].text in POINTERS
     return tuple(lead[first:told]) if pointed else ()
+
+
+def one_of(about: Sequence[Token], body: Sequence[Token]) -> tuple[Token, ...]:
+    """An order with what a statement before it is about in place of "one": "(the plants are too many,) keep one"."""
+    if [token.text for token in body[:2]] not in (["the", "one"], ["the", "ones"]):
+        return tuple(body)
+    name = singular(about[-1].text) if body[1].text == "one" else about[-1].text
+    return (body[0], *about[1:-1], replace(body[1], text=name), *body[2:])
+
+
+def _named_first(lead: Sequence[Token], first: int) -> int:
+    """Where the thing that a sentence begins with ends, if more is told of it: "the big clock (ticks too loudly)"."""
+    if first >= len(lead) or lead[first].text not in ("the", "my", "our", "that", "this"):
+        return first
+    lexicon = load("en")
+    for at in range(first + 1, min(first + MOST_NAMED, len(lead))):
+        named = lexicon.longest(list(lead), at)
+        if named.entry("object") is not None:
+            end = at + named.length
+            told = [token for token in lead[end:] if token.kind == "word"]
+            placed = grammar().at(lead, end, "prepositions") is not None if end < len(lead) else True
+            return end if told and not placed else first
+    return first
 
 
 def blocked_in(lead: Sequence[Token]) -> tuple[Token, ...]:

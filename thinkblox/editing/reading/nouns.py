@@ -49,6 +49,7 @@ def read_noun(draft: OrderDraft, noun: Noun) -> None:
         or _told_by_rider(draft, noun)
         or is_each_of_new(draft, noun)
         or is_one_of_company(draft, noun)
+        or _is_second_anchor(draft, noun)
     ):
         return
     noun = as_another(draft, merged(draft, noun))
@@ -227,6 +228,25 @@ def _thing(draft: OrderDraft, phrase: NounPhrase) -> None:
         draft.anchors, draft.former = [], draft.anchors
     else:
         draft.lose(noun)
+
+
+def _is_second_anchor(draft: OrderDraft, noun: Noun) -> bool:
+    """Take another thing that a new one is to be at as well: "(a rug) under the armchair and (the) side table"."""
+    order, before, following = draft.order, draft.before(), draft.ahead()
+    last = order.things[-1] if order.things else None
+    joined = isinstance(before, Connector) and before.text.lower() == "and"
+    goes_on = isinstance(following, Connector) and following.sort == "prepositions"
+    otherwise = draft.negated or draft.mode != "things" or draft.pending is not None or draft.excepted is not None
+    if order.doing not in ("add", "put") or last is None or not last.places or not joined or goes_on or otherwise:
+        return False
+    where = last.places[-1]
+    anchor = where.noun if where.second is None and where.whole is None and where.word != "with" else None
+    new = last.noun.kind == "thing" and not last.noun.definite and not last.noun.id
+    known = anchor is not None and anchor.kind == "thing" and (anchor.det == "the" or bool(anchor.id))
+    bare = noun.kind == "thing" and not (noun.count or noun.plural) and noun.det in ("", "the")
+    if new and known and bare:
+        last.places.append(replace(where, noun=replace(noun, det=noun.det or "the")))
+    return new and known and bare
 
 
 def _is_within(draft: OrderDraft, noun: Noun) -> bool:

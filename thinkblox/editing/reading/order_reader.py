@@ -58,7 +58,7 @@ def read_order(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds
 
 def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str]) -> OrderDraft:
     """An order of which only the verb is read."""
-    words = clause.text.lower().split()
+    words = clause.text.lower().split() or [clause.doing]
     verb = next((word for word in words if means("drawing", word)), words[0])
     order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
     told = [word.lower() for word in clause.text.split()[:4]]

@@ -20,12 +20,7 @@ def place(draft: OrderDraft, where: Where) -> None:
     """Take a place, or what else a preposition and its nouns say."""
     order = draft.order
     if where.word == "except" and where.noun is not None:
-        noun = where.noun
-        draft.excepted = NounPhrase(noun, id=noun.id)
-        if order.doing in ("add", "put", "ensure") and any(w.noun and w.noun.each for w in draft.places()):
-            order.besides.append(draft.excepted)
-            return
-        (order.things[-1].spared if order.things else order.spared).append(draft.excepted)
+        _except(draft, where.noun)
         return
     if where.word == "instead" and where.noun is not None:
         _instead_of(draft, where, where.noun)
@@ -53,6 +48,20 @@ def place(draft: OrderDraft, where: Where) -> None:
     attach(draft, where)
 
 
+def _except(draft: OrderDraft, noun: Noun) -> None:
+    """Take what is excepted: of things, or of the places at each of which something is put."""
+    order = draft.order
+    draft.excepted = NounPhrase(noun, id=noun.id)
+    each = [w.noun for w in draft.places() if w.noun is not None and w.noun.each]
+    if order.doing not in ("add", "put", "ensure") or not each:
+        (order.things[-1].spared if order.things else order.spared).append(draft.excepted)
+        return
+    if noun.text.lower() in ("the one", "the ones", "one"):
+        kind = replace(noun, kind="thing", value=each[0].value, named=True, det=noun.det or "the")
+        draft.excepted = NounPhrase(kind)
+    order.besides.append(draft.excepted)
+
+
 def _is_on_new(draft: OrderDraft, where: Where) -> bool:
     """Whether what comes along with a new thing is said to be on that: "two tables with a lamp on each"."""
     order, noun = draft.order, where.noun
@@ -73,7 +82,7 @@ def _is_on_what_bears(draft: OrderDraft, where: Where) -> bool:
 def _is_like_those(draft: OrderDraft, where: Where) -> bool:
     """Whether a new thing is to be "like the others", as it is anyway."""
     other = where.noun is not None and where.noun.det == "other"
-    return where.word == "as" and other and draft.order.doing == "add"
+    return where.word == "as" and other and draft.order.doing in ("add", "put", "ensure")
 
 
 def _is_without_gap(draft: OrderDraft, where: Where) -> bool:

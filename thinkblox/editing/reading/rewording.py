@@ -74,7 +74,8 @@ _ASIDE = ("behind", "in_front_of", "left_of", "right_of", "next_to", "under", "a
 def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it".
 
-    So is "(add an armchair) with a lamp behind it", whatever it goes with; what is on something new is read with that.
+    So is "(add an armchair) with a lamp behind it", whatever it goes with; what is on something new is read with that,
+    unless it is said before where that goes: "(add a bench by the bed) with a blanket on it".
     """
     left = list(tokens)
     for at in reversed(range(2, len(tokens) - 3)):
@@ -88,10 +89,14 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
         end = min(at + MOST_NAMED, len(tokens)) if end is None else end
         on_it = [token.text for token in tokens[end - 2 : end]] in (["on", "it"], ["on", "them"])
-        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].kind == "mark"), 0)
-        verbs = [(n, longest("verbs", tokens, n)) for n in range(begin, at)]
-        after = [tokens[n + found[1]].text for n, found in verbs if found is not None and found[0] in ("put", "move")]
-        if on_it and any(word in ("the", "my", "both", "it", "them") for word in after):
+        begin = next((n + 1 for n in range(at - 2, -1, -1) if tokens[n].kind == "mark"), 0)
+        said = ((n, longest("verbs", tokens, n)) for n in range(begin, at))
+        verbs = [(n + found[1], found[0]) for n, found in said if found is not None]
+        after = [tokens[n].text for n, doing in verbs if doing in ("put", "move")]
+        known = any(word in ("the", "my", "both", "it", "them") for word in after)
+        has_place = verbs and any(grammar().at(tokens, n, "prepositions") is not None for n in range(verbs[-1][0], at))
+        has_place = has_place and not any(token.text in ("and", ",") for token in tokens[at:end])
+        if on_it and (known or has_place):
             left[at : at + 1] = added
     return left
 
@@ -196,9 +201,17 @@ def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 
 def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about."""
+    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about.
+
+    So is "one" of "(replace the table with) a round one for six", which is told by how many sit at it.
+    """
     left = list(tokens)
     for at in reversed(range(1, len(tokens))):
+        if tokens[at].text == "one" and _is_for_many(tokens, at + 1):
+            head = _last_thing(lexicon, tokens[:at])
+            name = singular(head.text) if head is not None else tokens[at].text
+            left[at] = replace(tokens[at], text=name, shown=name)
+            continue
         if tokens[at].text not in ("mine", "ours", "yours"):
             continue
         begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in (".", ";", "!", "?")), 0)
@@ -206,6 +219,16 @@ def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
             the = replace(tokens[at], text="the")
             left[at : at + 1] = [the, replace(head, text=singular(head.text), start=-1)]
     return left
+
+
+def _is_for_many(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it goes on with for how many people something is: "for six", "that seats six"."""
+    same = longest("same", tokens, at)
+    seats = same is not None and same[0] == "for"
+    after = at + (same[1] if same is not None and seats else 1)
+    begun = seats or (at < len(tokens) and tokens[at].text == "for")
+    counted = after < len(tokens) and grammar().at(tokens, after, "count") is not None
+    return begun and (counted or (after < len(tokens) and tokens[after].kind == "number"))
 
 
 def _first_thing(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:
