@@ -152,3 +152,106 @@ def test_several_new_things_stand_side_by_side() -> None:
 def test_a_layout_is_not_mirrored_and_says_so() -> None:
     with pytest.raises(InputError, match="not mirrored"):
         edit_room(living(), "Mirror the layout")
+
+
+def on_desk() -> Scene:
+    """A desk at the west wall with a laptop in its middle and a lamp on its left."""
+    rows = [("desk_1", 0.45, 2.6, 0.0, "floor"), ("laptop_1", 0.45, 2.6, 0.0, "desk_1")]
+    return built(room(), *rows, ("desk_lamp_1", 0.35, 3.05, 0.0, "desk_1"))
+
+
+def test_left_and_right_in_one_sentence_are_those_of_one_thing() -> None:
+    before = on_desk()
+    after = done(before, "Move the laptop to the left side of the desk and the lamp to the right").scene
+    across = [after["desk_1"].to_local(after[id].position[:2])[1] for id in ("laptop_1", "desk_lamp_1")]
+    assert across[0] * across[1] < 0
+    places = [w for o in read_instruction("Put the chair left of the sofa and the lamp right of it").orders
+              for phrase in o.things for w in phrase.places]  # fmt: skip
+    assert [where.noun.text for where in places if where.noun] == ["the sofa", "the sofa"]
+
+
+def test_what_is_hung_by_what_hangs_is_at_its_height() -> None:
+    rows = [("picture_1", 5.984, 1.0, 180.0, "wall"), ("picture_2", 5.984, 4.0, 180.0, "wall")]
+    before = built(room(), *rows)
+    after = done(before, "Hang a picture between the two pictures").scene
+    assert after["picture_3"].position[2] == pytest.approx(before["picture_1"].position[2], abs=0.05)
+
+
+def test_what_is_excepted_has_to_be_there() -> None:
+    with pytest.raises(InputError, match="'the plant' is not on coffee_table_1"):
+        edit_room(placed(living(), "plant", 0.6, 4.3), "Clear the coffee table except for the plant")
+
+
+def test_the_edge_of_a_top_is_on_it() -> None:
+    after = done(living(), "Put a candle at the edge of the coffee table").scene
+    assert after["candle_1"].support == "coffee_table_1"
+
+
+def test_instead_of_a_place_is_not_there() -> None:
+    (order,) = read_instruction("Put the rug in front of the wardrobe instead of under the bed").orders
+    assert [(where.word, where.negated) for where in order.things[0].places] == [
+        ("in_front_of", False),
+        ("under", True),
+    ]
+
+
+def test_what_goes_along_does_not_tell_the_wall() -> None:
+    (order,) = read_instruction("Move the bed to the opposite wall with both nightstands").orders
+    assert [where.noun.text for where in order.things[0].places if where.noun] == ["the opposite wall"]
+    assert [phrase.noun.text for phrase in order.company] == ["both nightstands"]
+
+
+def test_before_it_is_before_what_carries_it() -> None:
+    after = done(living(), "Put a plate on the sideboard and a stool in front of it").scene
+    assert measure(after, "in_front_of", "stool_1", ("sideboard_1",)).holds
+
+
+def test_what_somebody_thinks_of_a_thing_asks_for_nothing() -> None:
+    after = done(living(), "Get rid of the armchair, it's ugly. Put a stool there").scene
+    assert not ids(after, "armchair")
+    assert len(ids(after, "stool")) == 1
+
+
+def test_what_is_closer_together_is_told_by_its_place() -> None:
+    with pytest.raises(InputError, match="no chair by the window"):
+        edit_room(dining(), "Bring the chairs by the window closer together")
+
+
+def test_it_is_faced_where_it_went() -> None:
+    after = done(living(), "Move the armchair closer to the sofa and turn it to face it").scene
+    assert measure(after, "facing", "armchair_1", ("sofa_1",)).holds
+
+
+def test_another_place_is_not_where_it_is_said_not_to_be() -> None:
+    after = done(living(), "The desk is in a bad spot, find a better one for it, but not in front of the window").scene
+    assert after["desk_1"] != living()["desk_1"]
+    assert not measure(after, "in_front_of", "desk_1", ("window_1",)).holds
+    (order,) = read_instruction("Find another place for the desk, not by the window").orders
+    assert [where.negated for where in order.things[0].places] == [True]
+
+
+def test_what_is_announced_is_of_everything_there() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("cup_1", 0.5, 2.3, 0.0, "desk_1"),
+                   ("book_1", 0.5, 2.9, 0.0, "desk_1"), ("sideboard_1", 5.7, 2.5, 180.0, "floor"))  # fmt: skip
+    after = done(before, "Tidy the desk: everything except the book goes onto the sideboard").scene
+    assert (after["cup_1"].support, after["book_1"].support) == ("sideboard_1", "desk_1")
+
+
+def test_seats_that_are_left_by_what_is_pushed_together_are_told() -> None:
+    rows = [("dining_table_1", 1.5, 2.5, 90.0, "floor"), ("dining_table_2", 4.4, 2.5, 90.0, "floor")]
+    before = built(room(), *rows, ("chair_1", 4.4, 1.75, 90.0, "floor"), ("chair_2", 1.5, 1.75, 90.0, "floor"))
+    edit = done(before, "Push the two tables together to make one long table")
+    assert any("stayed, away from dining_table" in note for note in edit.notes)
+
+
+def test_a_rug_under_them_is_under_each() -> None:
+    before = built(room(), ("armchair_1", 4.0, 3.0, 180.0, "floor"))
+    after = done(before, "Put two stools on the floor next to the armchair and a rug under them").scene
+    assert all(measure(after, "under", "rug_1", (stool,)).holds for stool in ids(after, "stool"))
+
+
+def test_several_across_from_one_thing_stand_beside_each_other() -> None:
+    before = built(room(7.0, 6.0), ("sofa_1", 3.5, 0.6, 90.0, "floor"))
+    after = done(before, "We often have guests, add two armchairs opposite the sofa").scene
+    first, second = ids(after, "armchair")
+    assert measure(after, "next_to", second, (first,)).holds

@@ -13,7 +13,7 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import bears_nothing, centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Abreast, Apart, At, Goal, Laid, Related, Spot, Unhidden
+from thinkblox.editing.goals import LOW_HUNG, Abreast, Across, Apart, At, Goal, Hung, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.place_settings import (
@@ -134,7 +134,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
         here = [w for w, _ in middles]
         goals = [goal for _, more in middles for goal in more]
-        goals += [_related(work, w, category, index, count) for w in here]
+        goals += [_related(work, one, category, index, count) for w in here for one in _under_each(w)]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
@@ -142,9 +142,9 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         goals = goals or _at_window(work, category)
-        goals = [*_abreast(goals), Abreast("next_to", (added[-1],))] if order.mutual == "next_to" and added else goals
+        goals = _abreast(goals, order, added)
         tried = len(work.failed)
-        id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
+        id = (_at_their_table(work, category, noun) or _on_usual(work, finder, category, noun)) if not goals else ""
         id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
         id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
@@ -243,11 +243,19 @@ def _add_to_line(work: Work, noun: Noun, line: list[str]) -> list[str]:
     return added
 
 
-def _abreast(goals: Sequence[Goal]) -> list[Goal]:
-    """What is asked of the second of several that stand side by side: to look where the first does."""
+def _under_each(where: Bound) -> list[Bound]:
+    """A place under several things as one under each of them: "(three cushions and a rug) under them"."""
+    several = where.kind == "under" and len(where.anchors) > 1
+    return [replace(where, anchors=(name,)) for name in where.anchors] if several else [where]
+
+
+def _abreast(goals: list[Goal], order: Order, came: Sequence[str]) -> list[Goal]:
+    """What is asked of the second of several side by side, or across from one thing: to look where the first does."""
     related_ = [goal for goal in goals if isinstance(goal, Related) and not goal.negated]
+    if not came or not (order.mutual == "next_to" or any(isinstance(goal, Across) for goal in goals)):
+        return goals
     looks = [Related("facing", goal.anchors) for goal in related_ if goal.kind in ("opposite", "facing")]
-    return [*(goal for goal in goals if goal not in related_), *looks]
+    return [*(goal for goal in goals if goal not in related_), *looks, Abreast("next_to", (came[-1],))]
 
 
 def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
@@ -297,9 +305,13 @@ def _at_their_table(work: Work, category: str, noun: Noun) -> str:
     return id
 
 
-def _on_usual(work: Work, category: str, noun: Noun) -> str:
-    """Add something small to the first of what usually carries it that has room; empty where none has."""
+def _on_usual(work: Work, finder: Finder, category: str, noun: Noun) -> str:
+    """Add something small to the first of what usually carries it that has room; empty where none has.
+
+    What was spoken of last comes first of these.
+    """
     carriers = usual_carriers(work.scene, category) if work.source.usual(category)[1] == "surface" else []
+    carriers = sorted(carriers, key=lambda id: id not in finder.recent)
     saved, said = work.saved(), len(work.failed)
     for carrier in carriers[:CARRIERS]:
         if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
@@ -535,6 +547,8 @@ def add_one(
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
+    if work.source.usual(category)[1] == "wall" and _is_by_hung(work.scene, goals):
+        goals = [*goals, Hung()]
     target = structs.replace(
         work.target(id, category, ties, attributes),
         size=object_size(category, noun.size),
@@ -563,11 +577,19 @@ def add_one(
     prefer_sides(work, id, goals, saved, reach)
     work.wish(id, goals)
     placement = work.scene[id]
-    found = "; ".join(dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals))
+    says = dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals)
+    found = "; ".join(filter(None, says))
     x, y, _ = placement.position
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _is_by_hung(scene: Scene, goals: Sequence[Goal]) -> bool:
+    """Whether all that a place names hangs on a wall, as that which comes to it does then."""
+    names = [name for goal in goals if isinstance(goal, Related) and not goal.negated for name in goal.anchors]
+    known = [scene[name] for name in names if name in scene]
+    return bool(known) and all(scene.asset_of(p).mount == "wall" and p.position[2] >= LOW_HUNG for p in known)
 
 
 def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -580,7 +602,7 @@ def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
 def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Places between two things, nearest to the middle of the way first."""
     for goal in goals:
-        if isinstance(goal, Related) and goal.kind == "between" and asset.mount == "floor":
+        if isinstance(goal, Related) and goal.kind == "between" and asset.mount in ("floor", "wall"):
             yield from between(scene, asset, goal.anchors, 0.0)
 
 

@@ -1,6 +1,7 @@
 """Which things an order moves, and which of its places say where they go rather than which they are."""
 
 import dataclasses
+import re
 from collections.abc import Iterator, Sequence
 
 from thinkblox.editing.finding import Finder, Picks, nearest_to
@@ -13,6 +14,8 @@ from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.placement import Placement
 
+_CLOSER_TOGETHER = re.compile(r"\b(?:closer|nearer) (?:in )?together\b", re.IGNORECASE)
+"""Behind things with a place, which says which they are then: "the tables by the window closer together"."""
 _RESTS = ("on", "from", "in", "inside", "on_top")
 
 
@@ -94,7 +97,7 @@ def _all_on(work: Work, finder: Finder, order: Order) -> tuple[tuple[str, ...], 
     resting = [p.id for p in work.scene.placements if p.support in carriers]
     if not resting:
         raise InputError(f"'{order.text}': nothing rests on {', '.join(carriers)}")
-    return work.touched(spare(finder, resting, order.spared)), destination
+    return work.touched(spare(finder, resting, order.spared)), anchored(finder, destination)
 
 
 def split_places(
@@ -105,13 +108,17 @@ def split_places(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
+    if order.together and phrase.noun.definite and _CLOSER_TOGETHER.search(order.text):
+        return list(places), []
+    if order.doing == "resite":
+        return [*here, *(w for w in rest if not w.negated)], [w for w in rest if w.negated]
     told = [w for w in rest if not w.negated and by_distance(w)]
     more = len(told) < len(rest) or order.mutual or order.together or _is_told(order)
     if told and phrase.noun.definite and more:
         here, rest = [*here, *told], [w for w in rest if w not in told]
     apart = order.scatter and order.doing == "move"
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
-    if order.closer or order.direction or order.seated or apart or order.doing == "resite":
+    if order.closer or order.direction or order.seated or apart:
         at = len(rest) if directed is None or not order.closer else directed
         return [*here, *rest[:at]], rest[at:]
     if directed is not None and directed > 0:

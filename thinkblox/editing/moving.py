@@ -10,7 +10,7 @@ from thinkblox.editing.acting import (
     say,
 )
 from thinkblox.editing.carrying import usual_ties
-from thinkblox.editing.company import company_of, gathered, with_company
+from thinkblox.editing.company import company_of, gathered, say_left, seats_at, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
     ELSEWHERE,
@@ -207,6 +207,7 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         scatter(work, ids, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)
         finder.recent = ids
         return
+    seats = {id: seats_at(work.scene, id, besides=ids) for id in ids}
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     by = order.lengths[0][0] if order.lengths else None
     also = _also(work, finder, order, fixed)
@@ -229,6 +230,8 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
             del work.failed[said:]
             move_one(work, order, id, [goal, *there])
         placed.append(id)
+    for id, left in seats.items():
+        say_left(work, id, left)
     finder.recent = ids
 
 
@@ -263,21 +266,23 @@ def _also(work: Work, finder: Finder, order: Order, id: str) -> list[Goal]:
 
 def resite(work: Work, finder: Finder, order: Order) -> None:
     """Find another place for things."""
-    for ids, _ in moved_things(work, finder, order):
+    for ids, places in moved_things(work, finder, order):
         for id in ids:
             before = work.scene[id]
+            finder.scene, finder.about = work.scene, id
+            told = goals_of(work, finder, order, id, places, 0, 1)
             goal = Elsewhere(ELSEWHERE if before.support == "floor" else ELSEWHERE_SMALL)
             planned = work.usual_ties(id) or usual_ties(work.scene, before.category)
             failed: Reaching | None = None
             for ties in (planned, ()):
-                failed = _anywhere(work, id, goal, ties)
+                failed = _anywhere(work, id, [goal, *told], ties)
                 if failed is None:
                     break
-            say(work, id, before, failed, [goal])
+            say(work, id, before, failed, [goal, *told])
         finder.recent = list(ids)
 
 
-def _anywhere(work: Work, id: str, goal: Goal, ties: Sequence[Tie]) -> Reaching | None:
+def _anywhere(work: Work, id: str, goals: Sequence[Goal], ties: Sequence[Tie]) -> Reaching | None:
     target = work.target(id, work.scene[id].category, ties, work.asset_of(id).attributes)
-    reaching = Reaching(work, target, work.asset_of(id), [goal])
+    reaching = Reaching(work, target, work.asset_of(id), goals)
     return None if reaching.run() else reaching

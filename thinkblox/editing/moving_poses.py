@@ -69,7 +69,7 @@ def spots_for(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     if any(isinstance(g, Related) and g.kind == "against_wall" and g.anchors == ("wall",) for g in goals):
         yield from along_walls(empty, work.asset_of(id), before.position[:2], math.inf)
     for goal in goals:
-        if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount == "floor":
+        if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount in ("floor", "wall"):
             yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
 

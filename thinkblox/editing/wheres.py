@@ -442,6 +442,8 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
     bare = noun.word.lower() not in ("end", "side", "edge", "corner", "half")
     there = where.word in ("on", "at") or (where.word == "to" and not bare)
     on_top = there and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
+    if there and noun.word.lower() == "edge" and facts_of(category).is_in("small"):
+        return "end"
     if not on_top or noun.value not in (*get_args(PartOfTop), "side"):
         return ""
     sided = cast(PartOfTop, noun.value)

@@ -49,6 +49,8 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
     words = [token.text for token in tokens[at : at + 4]]
     if words[:2] == ["another", "one"] or words[:2] == ["one", "more"]:
         length = 2
+    elif words[:1] == ["one"] and at and tokens[at - 1].text in ("add", "buy", "get"):
+        length = 1
     elif words[:1] == ["a"] and words[1:2] and words[1] in _SECOND and words[2:3] == ["one"]:
         length = 3
     else:

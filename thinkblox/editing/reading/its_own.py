@@ -19,6 +19,7 @@ _BELONGING = (
 )
 _AT_SEAT = ("behind", "in_front_of", "at", "by", "next_to", "near")
 _ASIDE = (*_AT_SEAT, "left_of", "right_of")
+_ALONG = ("both", "its", "their", "everything", "all")
 _MOVING = ("put", "move", "turn", "want")
 MOST = 8
 """Most words from "with" to "it"."""
@@ -31,12 +32,23 @@ def with_its_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     "the desk and everything that belongs to it" is "the desk with its seats and everything on it"; "lengthwise along
     the window" is "with its long side along the window".
     """
-    return _lengthwise(_seated(lexicon, _coming_along(_belonging(list(tokens)))))
+    return _lengthwise(_seated(lexicon, _coming_along(_belonging(_not_of_wall(tokens)))))
 
 
 def _words(text: str, start: Token | None = None) -> list[Token]:
     said = [replace(token, start=-1) for token in tokenise(text)]
     return [replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
+
+
+def _not_of_wall(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "to the wall, with both nightstands": what goes along does not tell which wall that is."""
+    left: list[Token] = []
+    for at, token in enumerate(tokens):
+        after = tokens[at + 1].text if at + 1 < len(tokens) else ""
+        if token.text == "with" and at and tokens[at - 1].text in ("wall", "corner") and after in _ALONG:
+            left.append(Token(",", ",", "mark", start=-1))
+        left.append(token)
+    return left
 
 
 def _belonging(tokens: list[Token]) -> list[Token]:

@@ -42,6 +42,9 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     if start is None:
         return [*tokens[:begin], *lead, *rest]
     end = next((n for n in range(first, len(rest)) if rest[n].text in ENDS), len(rest))
+    everything = bool(start.before) and start.before[0].text == "everything"
+    if said is not None and said.doing in ("clear", "free", "rearrange") and everything:
+        return [*tokens[:begin], *rest[: first + 1], _ON, *lead[said.body :], *rest[first + 1 :]]
     again = any(token.text in AGAIN for token in rest[first:end])
     if again or (said is not None and said.doing not in _ANNOUNCING):
         return [*tokens[:begin], *lead, replace(tokens[at], text="."), *rest]

@@ -101,8 +101,9 @@ def _mutual(draft: OrderDraft, link: Connector) -> None:
     elif link.text.lower() in _OF_TWO:
         _of_two(draft, _OF_TWO[link.text.lower()], link)
     elif (link.value == "facing" and draft.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
-        link.value == "next_to" and draft.order.doing in ("move", "put", "add")
+        link.value == "next_to" and draft.order.doing in ("move", "put", "add", "turn")
     ):
+        draft.order.doing = "move" if link.value == "next_to" and draft.order.doing == "turn" else draft.order.doing
         draft.order.mutual = link.value
         draft.order.abreast |= link.text.lower() == "side by side"
     elif link.value == "next_to" and draft.order.doing == "replace" and draft.mode == "instead":

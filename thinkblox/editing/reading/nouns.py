@@ -222,12 +222,19 @@ def _thing(draft: OrderDraft, phrase: NounPhrase) -> None:
     elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
         if order.things and is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
             phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
-        if order.things and order.things[-1].noun.rows and noun.kind == "thing" and not (noun.det or noun.count):
-            phrase.noun = replace(noun, det="my", text=f"their {noun.text}")
+        if order.things and order.things[-1].noun.rows and noun.kind == "thing" and _is_of_row(draft, noun):
+            phrase.noun = replace(noun, det="my", text=f"their {noun.text.removeprefix('the ')}")
         order.things.append(_at_another(draft, phrase))
         draft.anchors, draft.former = [], draft.anchors
     else:
         draft.lose(noun)
+
+
+def _is_of_row(draft: OrderDraft, noun: Noun) -> bool:
+    """Whether what is named after things in a row is theirs: "(remove the chairs in that row and) the monitors too"."""
+    too = draft.order.text.lower().endswith((" too", " as well"))
+    theirs = too and draft.order.doing == "remove" and noun.det == "the" and noun.plural
+    return not noun.count and (not noun.det or theirs)
 
 
 def _is_second_anchor(draft: OrderDraft, noun: Noun) -> bool:

@@ -132,7 +132,7 @@ def _refer(draft: OrderDraft, where: Where) -> None:
     noun, things = where.noun, draft.order.things
     if noun is not None and is_it(noun) and where.word != "with":
         walled = bool(draft.anchors) and draft.anchors[-1].kind == "place" and bool(draft.former)
-        if walled and "wall" in draft.anchors[-1].value:
+        if (walled and "wall" in draft.anchors[-1].value) or _is_across(draft, where):
             where.noun = draft.former[-1]
         elif draft.anchors[-1:] and draft.anchors[-1].value == "floor":
             pass
@@ -146,6 +146,14 @@ def _refer(draft: OrderDraft, where: Where) -> None:
         where.whole = known
     if where.word != "with" or draft.order.doing not in ("add", "remove", *WITH_ALONG):
         draft.anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
+
+
+def _is_across(draft: OrderDraft, where: Where) -> bool:
+    """Whether a thing goes to the other side of what the one before goes to: "left of the sofa and ... right of it"."""
+    before = draft.order.things[-2].places[-1:] if len(draft.order.things) > 1 else []
+    sides = {before[0].word, where.word} if before else set()
+    known = bool(draft.former) and not draft.anchors and draft.former[-1].kind == "thing"
+    return known and sides in ({"left_of", "right_of"}, {"in_front_of", "behind"}, {"above", "under"})
 
 
 def attach(draft: OrderDraft, where: Where) -> None:

@@ -64,6 +64,10 @@ def _without_excess(tokens: list[Token], at: int) -> list[Token]:
     told = words[:1] in (["is"], ["are"]) and words[1:] in (["too"], ["so"], ["very"], ["rather"], ["quite"])
     begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
     ordered = any(longest("verbs", tokens, n) is not None for n in range(begin, at))
+    opinion = longest("opinions", tokens, at + 2) if words[:1] in (["is"], ["are"]) else None
+    over = at + 2 + opinion[1] if opinion is not None else 0
+    if over and ordered and tokens[at - 1].text in (",", ":") and (over == len(tokens) or tokens[over].kind == "mark"):
+        return _cut(tokens, at, over)
     if not told or not ordered or tokens[at - 1].text not in (",", ":"):
         return tokens
     end = _end(tokens, at + 3)

@@ -4,11 +4,12 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import DEGREES
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
 
@@ -95,10 +96,18 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         after = [tokens[n].text for n, doing in verbs if doing in ("put", "move")]
         known = any(word in ("the", "my", "both", "it", "them") for word in after)
         has_place = verbs and any(grammar().at(tokens, n, "prepositions") is not None for n in range(verbs[-1][0], at))
-        has_place = has_place and not any(token.text in ("and", ",") for token in tokens[at:end])
-        if on_it and (known or has_place):
+        links = [n for n in range(at, end) if tokens[n].text in ("and", ",")]
+        links += [at] if links else []
+        if on_it and (known or (has_place and all(_is_small(tokens, n + 1) for n in links))):
             left[at : at + 1] = added
     return left
+
+
+def _is_small(tokens: Sequence[Token], at: int) -> bool:
+    """Whether something small is named there: "a book"."""
+    at += at < len(tokens) and tokens[at].text in ("a", "an", "some", "two", "three")
+    thing = load("en").longest(list(tokens), at).entry("object") if at < len(tokens) else None
+    return thing is not None and facts_of(thing.value).is_in("small")
 
 
 def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
@@ -107,7 +116,7 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
     What it goes with has a place of its own before that: of "put a stool with a pillow beside it" that is the stool's.
     """
     begin = next((n for n in range(at - 1, -1, -1) if longest("verbs", tokens, n) is not None), 0)
-    if not any(grammar().at(tokens, n, "prepositions") is not None for n in range(begin, at)):
+    if not any(grammar().at(tokens, n, "prepositions") or tokens[n].text == "there" for n in range(begin, at)):
         return False
     for n in range(at + 2, min(at + MOST_NAMED, len(tokens) - 1)):
         found = grammar().at(tokens, n, "prepositions")
@@ -121,8 +130,17 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
 
 
 def in_its_place(tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place"."""
+    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place".
+
+    "Instead of under the bed", where something is not to be, is ", not under the bed".
+    """
     left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 2)):
+        link = grammar().at(tokens, at + 2, "prepositions")
+        if tokens[at].text == "instead" and tokens[at + 1].text == "of" and link is not None and link.value != "of":
+            comma, no = Token(",", ",", "mark", start=-1), Token("not", "not", "word", start=-1)
+            left[at : at + 2] = [comma, replace(no, shown="instead of", start=tokens[at].start)]
+    tokens = list(left)
     for at in reversed(range(2, len(tokens) - 2)):
         words = [token.text for token in tokens[at : at + 3]]
         its = {"it": "its", "them": "their"}.get(words[2], "")
