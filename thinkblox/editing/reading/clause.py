@@ -40,7 +40,7 @@ class Clause:
 
 
 @dataclass(frozen=True)
-class Start:
+class ClauseStart:
     """Where a clause begins and where its words go on, with those that come before."""
 
     begin: int

@@ -10,7 +10,7 @@ from thinkblox.editing.reading.clause import (
     NOT,
     POINTERS,
     WANTS,
-    Start,
+    ClauseStart,
     ends_at,
     meant_at,
     rest_of_sentence,
@@ -23,9 +23,9 @@ _GONE = ("go", "leave", "disappear")
 _NOTHING = ("nothing",)
 
 
-def starts_of(tokens: Sequence[Token]) -> list[Start]:
+def starts_of(tokens: Sequence[Token]) -> list[ClauseStart]:
     """Where the clauses begin, in their order."""
-    starts: list[Start] = []
+    starts: list[ClauseStart] = []
     index, fresh, first = 0, True, True
     while index < len(tokens):
         start = start_at(tokens, index, first=first) if fresh else _sparing(tokens, index)
@@ -52,7 +52,7 @@ def _begins(tokens: Sequence[Token], at: int) -> bool:
     return at < len(tokens) and tokens[at].text not in POINTERS and verb_at(tokens, at, first=True) is not None
 
 
-def _coordinated(tokens: Sequence[Token], start: Start) -> int:
+def _coordinated(tokens: Sequence[Token], start: ClauseStart) -> int:
     """From where on another clause may begin: of "have the lamp and the plant trade places" after the whole wish."""
     if start.doing not in WANTS:
         return start.body
@@ -72,7 +72,7 @@ def starts_with_verb(tokens: Sequence[Token], at: int) -> bool:
     return at < len(tokens) and verb_at(tokens, at, first=False) is not None
 
 
-def start_at(tokens: Sequence[Token], at: int, *, first: bool) -> Start | None:
+def start_at(tokens: Sequence[Token], at: int, *, first: bool) -> ClauseStart | None:
     """The clause that begins at a token; None where none does.
 
     Args:
@@ -84,7 +84,7 @@ def start_at(tokens: Sequence[Token], at: int, *, first: bool) -> Start | None:
     if denied is not None and denied[0] == "not":
         verb = verb_at(tokens, at + denied[1], first=True)
         if verb is not None and longest("verbs", tokens, at) is None:
-            return Start(at, at + denied[1] + verb[2], verb[0], verb[1], denied=True)
+            return ClauseStart(at, at + denied[1] + verb[2], verb[0], verb[1], denied=True)
     if denied is not None and denied[0] == "without":
         return _sparing(tokens, at)
     verb = verb_at(tokens, at, first=first)
@@ -92,18 +92,18 @@ def start_at(tokens: Sequence[Token], at: int, *, first: bool) -> Start | None:
     if verb is not None and filler is not None and filler[1] > verb[2]:
         return None
     if verb is not None:
-        return Start(at, at + verb[2], verb[0], verb[1])
+        return ClauseStart(at, at + verb[2], verb[0], verb[1])
     return _wish(tokens, at, first=first)
 
 
-def _sparing(tokens: Sequence[Token], at: int) -> Start | None:
+def _sparing(tokens: Sequence[Token], at: int) -> ClauseStart | None:
     """Read "without moving the sofa", in the middle of an order."""
     found = longest("denials", tokens, at)
     if found is None or found[0] != "without":
         return None
     if tokens[at].text == "but":
         return None
-    return Start(at, at + found[1], "keep")
+    return ClauseStart(at, at + found[1], "keep")
 
 
 def verb_at(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, int] | None:
@@ -126,7 +126,7 @@ def verb_at(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str,
     return found[0], change[0] if change else "", found[1]
 
 
-def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> Start | None:
+def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> ClauseStart | None:
     """Read "the sofa should be against the wall", "could the desk be under the window?"."""
     asked = longest("asked", tokens, at)
     if first and asked is not None and asked[0] == "before" and longest("fillers", tokens, at) is None:
@@ -138,7 +138,7 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> Start | None:
         if verb is None:
             return None
         told = verb if tokens[verb].text == "face" else verb + 1
-        return Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
+        return ClauseStart(at, told, "put", before=tuple(tokens[at + 1 : verb]))
     for index in rest_of_sentence(tokens, at + 1):
         found = longest("wishes", tokens, index)
         mutual = grammar().at(tokens, index, "mutual")
@@ -170,23 +170,23 @@ def _nearest_of(subject: Sequence[Token]) -> tuple[Token, ...]:
     return tuple(replace(token, text=words[token.text]) if n in told else token for n, token in enumerate(subject))
 
 
-def wished_at(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> Start:
+def wished_at(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> ClauseStart:
     """The clause of a thing that begins at `at`, by the wish of a length [tokens] at `index`."""
     subject, after = _nearest_of(tokens[at:index]), index + length
     last = tokens[after - 1].text
     if subject[0].text in _NOTHING and key in ("put", "block"):
-        return Start(at, after, "free")
+        return ClauseStart(at, after, "free")
     if key == "have":
         after -= last in ("a", "an", "one", "two")
-        return Start(at, after, "add", before=(), whose=subject)
+        return ClauseStart(at, after, "add", before=(), whose=subject)
     spared = grammar().at(tokens, after, "prepositions") if after < len(tokens) else None
     gone = ends_at(tokens, after) or (spared is not None and spared.value == "except")
     if key == "put" and last in _GONE and gone:
         key = "remove"
     if key == "face":
         after -= 2 if last == "at" else 1
-        return Start(at, after, "put", before=subject)
+        return ClauseStart(at, after, "put", before=subject)
     if key == "not":
         after -= 1 if last == "face" else 0
-        return Start(at, after, "put", before=(*subject, NOT))
-    return Start(at, after, key, before=subject)
+        return ClauseStart(at, after, "put", before=(*subject, NOT))
+    return ClauseStart(at, after, key, before=subject)

@@ -15,7 +15,7 @@ from thinkblox.editing.reading.clause import (
     TO,
     WITH,
     Clause,
-    Start,
+    ClauseStart,
     after_fillers,
     ends_at,
     is_filler_at,
@@ -99,19 +99,19 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     return made
 
 
-def _begun(tokens: Sequence[Token]) -> tuple[list[Start], Sequence[Token]]:
+def _begun(tokens: Sequence[Token]) -> tuple[list[ClauseStart], Sequence[Token]]:
     """Where the clauses begin, and what comes before the first."""
     starts = _going_on(tokens, list(starts_of(tokens))) or _asked_for(tokens)
     lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
     if starts and _is_terse(lead):
-        starts = [Start(after_fillers(lead), after_fillers(lead), "want"), *starts]
+        starts = [ClauseStart(after_fillers(lead), after_fillers(lead), "want"), *starts]
         lead = tokens[: starts[0].begin]
     return without_unwanted(tokens, starts, lead)
 
 
-def _going_on(tokens: Sequence[Token], starts: list[Start]) -> list[Start]:
+def _going_on(tokens: Sequence[Token], starts: list[ClauseStart]) -> list[ClauseStart]:
     """The clauses, where "(the armchair should be red) and face the door" says more of what the wish is about."""
-    left: list[Start] = []
+    left: list[ClauseStart] = []
     for start in starts:
         wished = bool(left) and left[-1].doing == "put" and bool(left[-1].before)
         linked = start.begin > 0 and tokens[start.begin - 1].text == "and" and tokens[start.begin].text == "face"
@@ -165,11 +165,11 @@ def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
     return left
 
 
-def _asked_for(tokens: Sequence[Token]) -> list[Start]:
+def _asked_for(tokens: Sequence[Token]) -> list[ClauseStart]:
     """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa"."""
     asked = any(token.text in ("please", "pls", "plz") for token in tokens) or _is_terse(tokens)
     first = after_fillers(tokens)
-    return [Start(first, first, "want")] if asked and first < len(tokens) else []
+    return [ClauseStart(first, first, "want")] if asked and first < len(tokens) else []
 
 
 def _is_terse(tokens: Sequence[Token]) -> bool:

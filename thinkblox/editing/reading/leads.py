@@ -5,7 +5,17 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clause import AGAIN, ENDS, LINKS, NEWS, POINTERS, TO, Start, after_fillers, is_filler_at
+from thinkblox.editing.reading.clause import (
+    AGAIN,
+    ENDS,
+    LINKS,
+    NEWS,
+    POINTERS,
+    TO,
+    ClauseStart,
+    after_fillers,
+    is_filler_at,
+)
 from thinkblox.editing.reading.clause_starts import start_at, starts_of
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon, load
@@ -56,7 +66,7 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     return [*tokens[:begin], *rest[:end], *where, *rest[end:]]
 
 
-def _is_list_of_new(lead: Sequence[Token], said: Start, rest: Sequence[Token]) -> bool:
+def _is_list_of_new(lead: Sequence[Token], said: ClauseStart, rest: Sequence[Token]) -> bool:
     """Whether a colon leads from what is to be done to what is to come for it: "Set the table: a glass for each"."""
     whole = said.doing in NEWS and said.body < len(lead) and lead[said.body].text in ("the", "my", "our")
     new = bool(rest) and (rest[0].text in ("a", "an", "some") or rest[0].kind == "number")
@@ -91,8 +101,8 @@ def _place_at_end(lead: Sequence[Token]) -> list[Token]:
 
 
 def without_unwanted(
-    tokens: Sequence[Token], starts: list[Start], lead: Sequence[Token]
-) -> tuple[list[Start], Sequence[Token]]:
+    tokens: Sequence[Token], starts: list[ClauseStart], lead: Sequence[Token]
+) -> tuple[list[ClauseStart], Sequence[Token]]:
     """The clauses without "I don't want the lamp by the door, (move it)", which tells what the next one is about."""
     if len(starts) < 2 or starts[0].doing != "unwanted" or tokens[starts[1].body].text not in ("it", "them"):
         return starts, lead
@@ -160,7 +170,7 @@ def compared_with(told: Sequence[Token], body: Sequence[Token]) -> tuple[Token, 
     return tuple(body)
 
 
-def is_of_other(start: Start, body: Sequence[Token]) -> bool:
+def is_of_other(start: ClauseStart, body: Sequence[Token]) -> bool:
     """Whether another one of what was told of is asked for: "the rug is too small, get a bigger one"."""
     new = bool(body) and body[0].text in ("a", "an", "another")
     one = any(token.text == "one" for token in body) and not any(token.text in LINKS for token in body)
