@@ -13,10 +13,17 @@ from thinkblox.brief import Measures
 from thinkblox.editing.acting import bears_nothing, centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import CARRIERS, usual_carriers, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
-from thinkblox.editing.goals import Abreast, Apart, At, Goal, Laid, Related, Spot, Unhidden
+from thinkblox.editing.goals import LOW_HUNG, Abreast, Across, Apart, At, Goal, Hung, Laid, Related, Spot, Unhidden
 from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import SAME, NounPhrase, Order
-from thinkblox.editing.place_settings import are_seats_around, is_laid_before, is_set_beside, so_many
+from thinkblox.editing.place_settings import (
+    are_seats_around,
+    is_laid_before,
+    is_set_beside,
+    seat_like,
+    settings_on,
+    so_many,
+)
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.rows import rows_of
 from thinkblox.editing.spots import Pose, between, likely, spots
@@ -121,13 +128,13 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     count = _how_many(noun, places, several)
     if count > MOST:
         raise InputError(f"'{noun.text}': one order adds at most {MOST} things; that would be {count}")
-    added = []
+    added: list[str] = []
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
         middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
         here = [w for w, _ in middles]
         goals = [goal for _, more in middles for goal in more]
-        goals += [_related(work, w, category, index, count) for w in here]
+        goals += [_related(work, one, category, index, count) for w in here for one in _under_each(w)]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
@@ -135,8 +142,9 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [goal for spot in left for goal in _there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         goals = goals or _at_window(work, category)
+        goals = _abreast(goals, order, added)
         tried = len(work.failed)
-        id = (_at_their_table(work, category, noun) or _on_usual(work, category, noun)) if not goals else ""
+        id = (_at_their_table(work, category, noun) or _on_usual(work, finder, category, noun)) if not goals else ""
         id = id or (_on_neighbour(work, category, noun, here, goals) if len(work.failed) == tried else "")
         id = id or (add_one(work, category, noun, goals) if len(work.failed) == tried else "")
         if not id and several < 2:
@@ -146,6 +154,29 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _laid_for_each(work: Work, finder: Finder, order: Order, noun: Noun, places: Sequence[Where]) -> list[str]:
+    """Lay so many things on a table before the seats that are at it; empty where they do not lie so, or cannot."""
+    onto = places[0] if len(places) == 1 and places[0].word in ("on", "to") and not places[0].negated else None
+    table = onto.noun if onto is not None and onto.whole is None else None
+    if table is None or table.kind not in ("thing", "pronoun") or table.many or order.facing or order.closer:
+        return []
+    ids = finder.ids(NounPhrase(table, id=table.id))
+    spots = settings_on(work, noun.value, ids[0], noun.count or 1) if len(ids) == 1 else []
+    saved, said = work.saved(), (len(work.done), len(work.failed))
+    added: list[str] = []
+    one = replace(noun, count=1, plural=False)
+    for kind, id in spots:
+        mark = Noun("thing", work.scene[id].category, 0, 0, id, det="the", id=id)
+        came = _add(work, finder, Order("add", order.text), NounPhrase(replace(one)), [Where(kind, mark, text=kind)])
+        if not came or work.scene[came[0]].support != ids[0]:
+            work.restore(saved)
+            del work.done[said[0] :], work.failed[said[1] :]
+            finder.scene = work.scene
+            return []
+        added += came
+    return added
 
 
 def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
@@ -165,9 +196,11 @@ def _one_more(finder: Finder, phrase: NounPhrase) -> NounPhrase:
 def _add_in_rows(
     work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> list[str] | None:
-    """Add another row, or more to one that is there; None where it is neither."""
+    """Add another row, more to one that is there, or one before each seat of a table; None where it is other."""
     if is_row(phrase.noun):
         return add_rows(work, finder, order, phrase, places)
+    if laid := _laid_for_each(work, finder, order, phrase.noun, places):
+        return laid
     line = _line_said(work, finder, phrase.noun, places)
     if not line or order.facing or order.closer or order.apart:
         return None
@@ -210,6 +243,21 @@ def _add_to_line(work: Work, noun: Noun, line: list[str]) -> list[str]:
     return added
 
 
+def _under_each(where: Bound) -> list[Bound]:
+    """A place under several things as one under each of them: "(three cushions and a rug) under them"."""
+    several = where.kind == "under" and len(where.anchors) > 1
+    return [replace(where, anchors=(name,)) for name in where.anchors] if several else [where]
+
+
+def _abreast(goals: list[Goal], order: Order, came: Sequence[str]) -> list[Goal]:
+    """What is asked of the second of several side by side, or across from one thing: to look where the first does."""
+    related_ = [goal for goal in goals if isinstance(goal, Related) and not goal.negated]
+    if not came or not (order.mutual == "next_to" or any(isinstance(goal, Across) for goal in goals)):
+        return goals
+    looks = [Related("facing", goal.anchors) for goal in related_ if goal.kind in ("opposite", "facing")]
+    return [*(goal for goal in goals if goal not in related_), *looks, Abreast("next_to", (came[-1],))]
+
+
 def _there_already(work: Work, noun: Noun, category: str, slots: list[list[Bound]]) -> list[str] | None:
     """What is to be added and is there, which is noted; None where something has to be added."""
     if noun.det != "another" and not _without_laid(work, category, slots):
@@ -231,10 +279,11 @@ def _lies_there(work: Work, category: str, slots: Sequence[Sequence[Bound]]) -> 
 
 
 def _there_where(work: Work, spot: Placement, category: str) -> list[Goal]:
-    """At the spot of something that is gone: on the floor where that stood on it, and not on what is nearby."""
-    stands = spot.support == "floor" and work.source.usual(category)[1] in ("floor", "surface")
-    there: Goal = Spot(spot.position[:2], THERE, old=spot)
-    return [there, Related("on", ("floor",))] if stands else [there]
+    """At the spot of something that is gone: on what that stood on, and not on what is nearby."""
+    mount, there = work.source.usual(category)[1], Spot(spot.position[:2], THERE, old=spot)
+    stands = spot.support == "floor" and mount in ("floor", "surface")
+    rests = spot.support in work.scene and mount == "surface"
+    return [there, Related("on", (spot.support,))] if stands or rests else [there]
 
 
 def _at_their_table(work: Work, category: str, noun: Noun) -> str:
@@ -256,9 +305,13 @@ def _at_their_table(work: Work, category: str, noun: Noun) -> str:
     return id
 
 
-def _on_usual(work: Work, category: str, noun: Noun) -> str:
-    """Add something small to the first of what usually carries it that has room; empty where none has."""
+def _on_usual(work: Work, finder: Finder, category: str, noun: Noun) -> str:
+    """Add something small to the first of what usually carries it that has room; empty where none has.
+
+    What was spoken of last comes first of these.
+    """
     carriers = usual_carriers(work.scene, category) if work.source.usual(category)[1] == "surface" else []
+    carriers = sorted(carriers, key=lambda id: id not in finder.recent)
     saved, said = work.saved(), len(work.failed)
     for carrier in carriers[:CARRIERS]:
         if id := add_one(work, category, noun, [related(Bound("on", (carrier,)), category)]):
@@ -413,7 +466,7 @@ def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], alo
     for head in heads if along else ():
         finder.scene, finder.recent = work.scene, [head]
         for where in along:
-            noun = where.noun
+            noun = seat_like(work, where.noun, head) if where.noun is not None else None
             it = Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head)
             noun = so_many(work, noun, head, several=len(heads) > 1) if noun is not None else None
             if noun is not None and is_laid_before(work, noun.value, head):
@@ -494,6 +547,8 @@ def add_one(
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
+    if work.source.usual(category)[1] == "wall" and _is_by_hung(work.scene, goals):
+        goals = [*goals, Hung()]
     target = structs.replace(
         work.target(id, category, ties, attributes),
         size=object_size(category, noun.size),
@@ -522,24 +577,32 @@ def add_one(
     prefer_sides(work, id, goals, saved, reach)
     work.wish(id, goals)
     placement = work.scene[id]
-    found = "; ".join(dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals))
+    says = dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals)
+    found = "; ".join(filter(None, says))
     x, y, _ = placement.position
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
 
 
+def _is_by_hung(scene: Scene, goals: Sequence[Goal]) -> bool:
+    """Whether all that a place names hangs on a wall, as that which comes to it does then."""
+    names = [name for goal in goals if isinstance(goal, Related) and not goal.negated for name in goal.anchors]
+    known = [scene[name] for name in names if name in scene]
+    return bool(known) and all(scene.asset_of(p).mount == "wall" and p.position[2] >= LOW_HUNG for p in known)
+
+
 def _where_it_was(asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The very place of what stood on the floor where something comes now, turned as that was."""
     for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
-        if asset.mount == "floor" and old.support == "floor":
+        if asset.mount in ("floor", "surface") and old.support == "floor":
             yield (*old.position[:2], 0.0), old.yaw
 
 
 def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Places between two things, nearest to the middle of the way first."""
     for goal in goals:
-        if isinstance(goal, Related) and goal.kind == "between" and asset.mount == "floor":
+        if isinstance(goal, Related) and goal.kind == "between" and asset.mount in ("floor", "wall"):
             yield from between(scene, asset, goal.anchors, 0.0)
 
 

@@ -32,7 +32,8 @@ def with_antecedents(orders: Sequence[Order], finder: Finder) -> list[Order]:
     for order in orders:
         before, staying = head, order.doing in _STAYING
         order.things[:] = [one for phrase in order.things for one in _each_of_two(phrase, mentions)]
-        for phrase in order.things:
+        for number, phrase in enumerate(order.things):
+            _of_bearer(phrase, order.things[number - 1] if number else None)
             _of_head(phrase, before, by_place=staying and last in _OF_SOME, one=staying)
             head = phrase.noun if phrase.noun.kind == "thing" else head
             for spared in phrase.spared:
@@ -137,14 +138,15 @@ def _of_head(phrase: NounPhrase, head: Noun | None, *, by_place: bool, one: bool
     noun = phrase.noun
     them = noun.kind == "pronoun" and noun.value == "them" and noun.det != "other"
     told = bool(noun.rows or (by_place and phrase.places))
-    number = one and noun.kind == "number" and not noun.rows and noun.det == "the"
+    some = noun.kind in ("number", "pronoun") and noun.count and noun.text.lower().endswith("of them")
+    number = one and noun.kind == "number" and not noun.rows and (noun.det == "the" or some)
     if not (them and told) and not number:
         return
     if head is None:
         raise InputError(f"'{noun.text}' points at nothing that was named before; name what you mean")
     phrase.noun = replace(
-        head, det="the", plural=them or (noun.count or 1) > 1, count=noun.count, rows=noun.rows, ordinal=noun.ordinal,
-        side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
+        head, det="" if some else "the", of_known=bool(some), plural=them or (noun.count or 1) > 1, count=noun.count,
+        rows=noun.rows, ordinal=noun.ordinal, side=noun.side, degree=noun.degree, every=0, fraction=(0, 0), id="",
     )  # fmt: skip
 
 
@@ -168,6 +170,19 @@ def _of_carrier(where: Where, noun: Noun, head: Noun | None, mentions: Sequence[
     others = [other for other in mentions if other is not noun and not facts_of(other.value).is_in("covers")]
     if others:
         where.noun = replace(others[-1], det="the")
+
+
+def _of_bearer(phrase: NounPhrase, last: NounPhrase | None) -> None:
+    """Read "(a vase on the dresser and a stool) in front of it" as before the dresser: a stool stands on the floor."""
+    on = [w for w in last.places if w.word in ("on", "on_top") and not w.negated] if last is not None else []
+    known = on[0].noun if len(on) == 1 else None
+    small = facts_of(phrase.noun.value).is_in("small") or phrase.noun.kind != "thing"
+    if last is None or known is None or known.kind != "thing" or small or not facts_of(last.noun.value).is_in("small"):
+        return
+    for where in phrase.places:
+        it = where.noun is not None and (where.noun.kind, where.noun.value) == _IT
+        if it and where.word in ("in_front_of", "behind", "left_of", "right_of", "next_to", "at", "by"):
+            where.noun = replace(known, det="the")
 
 
 def _of_place(where: Where, head: Noun | None, order: Order, mentions: Sequence[Noun], finder: Finder) -> None:

@@ -68,7 +68,7 @@ def _first_without(work: Work, id: str, seats: Sequence[str], do: Callable[[], N
     do()
     shifted = turned and math.dist(before[id].position, work.scene[id].position) > TOO_FAR
     if len(work.failed) == said[0] and not shifted:
-        _say_left(work, id, seats)
+        say_left(work, id, seats)
         return
     alone = work.world, work.failed[said[0] :], work.notes[said[1] :], work.done[saved[1] :], work.wishes[saved[2] :]
     work.restore(saved)
@@ -78,7 +78,7 @@ def _first_without(work: Work, id: str, seats: Sequence[str], do: Callable[[], N
     work.world, work.failed[said[0] :], work.notes[said[1] :] = alone[:3]
     work.done += alone[3]
     work.wishes += alone[4]
-    _say_left(work, id, seats)
+    say_left(work, id, seats)
 
 
 def bring_overhead(work: Work, ids: Sequence[str], do: Callable[[], None]) -> bool:
@@ -122,7 +122,7 @@ def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
     return [seat for seat in drawn if not any(measure(scene, "at", seat, (other,)).holds for other in others)]
 
 
-def _say_left(work: Work, id: str, seats: Sequence[str]) -> None:
+def say_left(work: Work, id: str, seats: Sequence[str]) -> None:
     """Note which seats a thing has left."""
     left = [seat for seat in seats if seat in work.scene and not measure(work.scene, "at", seat, (id,)).holds]
     work.left += [(id, left)] if left else []

@@ -9,7 +9,8 @@ from thinkblox.editing.adding import add, category_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
-from thinkblox.editing.moving import move, move_one
+from thinkblox.editing.moving import move
+from thinkblox.editing.moving_one import move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.telling import BELONGING

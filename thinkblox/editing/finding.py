@@ -94,6 +94,7 @@ class Finder:
             return self._part(phrase, self._spoken_of(noun))
         if noun.rows and noun.kind == "number":
             return tuple(p.id for p in row_of(self.scene, (), noun, phrase.member))
+        among = self._looking_so(noun) if among is None else among
         rank = phrase.rank or rank_of(noun.degree)[0]
         found = self.matching(noun, wide=bool(rank)) if among is None else list(among)
         if not found:
@@ -113,6 +114,17 @@ class Finder:
         if phrase.share or phrase.left or noun.every:
             return self._part(phrase, tuple(p.id for p in self._as_many(_all(noun), found, picks)))
         return tuple(p.id for p in self._as_many(noun, found, picks))
+
+    def _looking_so(self, noun: Noun) -> list[Placement] | None:
+        """What looks as is said of "the green one": of the kind that was named last, or of any; None for others."""
+        if noun.kind != "number" or not noun.attributes or noun.det != "the":
+            return None
+        last = [id for id in (*self.recent, *self.past.about) if id in self.scene]
+        fits = [p for p in self.scene.placements if all(self._has(p, word) for word in noun.attributes)]
+        alike = [p for p in fits if any(are_alike(p.category, self.scene[id].category) for id in last)]
+        found = alike or fits
+        self.seen += [f"'{noun.text}' is taken to be {_ids(found)}"] if len(found) == 1 else []
+        return found or None
 
     def left_place(self, text: str) -> Placement:
         """What has been taken away, as it stood.
@@ -249,6 +261,8 @@ class Finder:
             return [p for p in self.scene.placements if facts_of(p.category).is_in(group)]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
         same = [p for p in same or self.scene.placements if self._has_name(p, noun.called)] or same
+        if noun.many and not noun.count and noun.named:
+            same += [p for p in self.scene.placements if p not in same and self._is_of(p, noun)]
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
         told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
         wanted = [word.lower() for word in (*noun.attributes, *told)]
@@ -272,6 +286,7 @@ class Finder:
             p for p in self.scene.placements if _FILLED & {*p.category.split("_")[1:]} and _head(p.category) in names
         ]
         word = singular(noun.word.lower())
+        filled = filled or [p for p in self.scene.placements if self._is_of(p, noun)]
         if filled:
             return filled
         lasts = {p.id: p.category.rpartition("_")[2] for p in self.scene.placements}
@@ -346,6 +361,11 @@ class Finder:
             return True
         words = noun.value.split("_")
         return not noun.named and words[-1:] == [singular(category.rpartition("_")[2])] and len(words) == 1
+
+    def _is_of(self, placement: Placement, noun: Noun) -> bool:
+        """Whether it is several of what a noun names, as one thing: "the books" are a row of books too."""
+        head, of, what = self.scene.asset_of(placement).description.rpartition(" of ")
+        return bool(head and of) and singular(what.lower()) == singular(noun.word.lower())
 
     def _has_name(self, placement: Placement, name: str) -> bool:
         """Whether it was named so when it came: one of the desks is "the teacher's desk"."""

@@ -99,7 +99,8 @@ class Related:
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """As `thinkblox.scene.relations` measures it; of several around a table, each by itself."""
         found = measure(after, self.measured or self.kind, id, self.anchors, negated=self.negated)
-        return found.holds, found.measured
+        over_edge = self.kind == "on" and after[id].support == "floor" and after[id].position[2] > OVER_FLOOR
+        return found.holds and not (over_edge and not self.negated), found.measured
 
     @property
     def tie(self) -> Tie | None:
@@ -107,6 +108,10 @@ class Related:
         return None if self.negated else Tie(kind=self.kind, anchors=self.anchors, index=self.index, count=self.count)
 
 
+LOW_HUNG = 0.25
+"""How far above the floor the lower edge is at least of what is hung beside or between others [m]."""
+OVER_FLOOR = 0.02
+"""From how high up nothing stands on the floor [m]: it is over the edge of what it is to be on."""
 PartOfTop = Literal["left", "right", "front", "back", "end"]
 OFF_MIDDLE = 0.12
 """From which share of a top's length on its one half is left, and twice that its end."""
@@ -529,6 +534,15 @@ class BackTo(Untied):
         away = math.degrees(math.atan2(mark.centre[1] - y, mark.centre[0] - x))
         turn = turn_between(mark.gaze, away)
         return turn <= INTO_ROOM, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"
+
+
+@dataclass(frozen=True)
+class Hung(Untied):
+    """It hangs on its wall, and does not stand on the floor before it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Its lower edge is at least LOW_HUNG above the floor; nothing is said of that."""
+        return after[id].position[2] >= LOW_HUNG, ""
 
 
 @dataclass(frozen=True)

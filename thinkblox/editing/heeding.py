@@ -24,7 +24,7 @@ _SHIFTED = (
 _LOOKED = ("facing", "backs")
 _MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there", "centred", "besides"),
+    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),

@@ -49,13 +49,21 @@ def joined(orders: Sequence[Order]) -> list[Order]:
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
         if joined and same and _only_faces(order) and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
-            joined[-1].facing += [*order.facing, *facing]
+            joined[-1].facing += [_went_to(noun, joined[-1]) for noun in (*order.facing, *facing)]
         else:
             joined.append(order)
     for order in joined:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _went_to(noun: Noun, last: Order) -> Noun:
+    """Read "(move it towards the door and turn it) to face it" as to face what it went to."""
+    said = [w.noun for phrase in last.things for w in phrase.places if w.noun is not None]
+    said += [phrase.noun for _, phrase in (*last.closer, *last.apart)]
+    known = [other for other in said if other.kind in ("thing", "place")]
+    return known[-1] if known and (noun.kind, noun.value) == ("pronoun", "it") else noun
 
 
 def _with_seats_apart(orders: Sequence[Order]) -> list[Order]:

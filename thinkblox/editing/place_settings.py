@@ -4,6 +4,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from thinkblox.assets import facts_of
+from thinkblox.brief import RelationKind
 from thinkblox.editing.work import Work
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.habits import load_habits
@@ -38,6 +39,16 @@ def so_many(work: Work, noun: Noun, head: str, *, several: bool) -> Noun:
     return replace(noun, count=1, plural=False) if several else noun
 
 
+def seat_like(work: Work, noun: Noun, head: str) -> Noun:
+    """The chair that comes along with a desk or table as those are that stand at all others of its kind."""
+    if noun.value != "chair" or noun.attributes or not facts_of(work.scene[head].category).is_in("desks", "tables"):
+        return noun
+    others = [p.id for p in work.start.placements if p.category == work.scene[head].category]
+    seats = [p for p in work.start.placements if facts_of(p.category).is_in("seating")]
+    kinds = {p.category for p in seats for id in others if measure(work.start, "at", p.id, (id,)).holds}
+    return replace(noun, value=kinds.pop()) if len(kinds) == 1 else noun
+
+
 def _seats_at(scene: Scene, table: str) -> int:
     """How many seats are drawn up to a table."""
     seats = [p.id for p in scene.placements if facts_of(p.category).is_in("seating")]
@@ -48,6 +59,27 @@ def are_seats_around(work: Work, noun: Noun, table: str) -> bool:
     """Whether several seats come along with a table, which stand at all its sides and not side by side."""
     several = noun.plural or (noun.count or 1) > 1
     return several and facts_of(noun.value).is_in("seating") and facts_of(work.scene[table].category).is_in("tables")
+
+
+def settings_on(work: Work, category: str, table: str, count: int) -> list[tuple[RelationKind, str]]:
+    """Where each of so many things of which everybody has one lies on a table; empty where they lie anywhere on it.
+
+    Each lies beside what it belongs to, where so many are there already, as a glass beside each plate, or else before
+    a seat.
+    """
+    scene = work.scene
+    if count < 2 or not any(category in pair for pair in _settings()):
+        return []
+    there = [p for p in scene.placements if p.support == table]
+    for kind in dict.fromkeys(p.category for p in there if frozenset((category, p.category)) in _settings()):
+        beside = [p.id for p in there if p.category == kind]
+        if len(beside) == count and kind != category:
+            return [("next_to", id) for id in beside]
+    seats = [p.id for p in scene.placements if facts_of(p.category).is_in("seating")]
+    seats = [id for id in seats if measure(scene, "at", id, (table,)).holds]
+    free = [id for id in seats if not any(measure(scene, "in_front_of", p.id, (id,)).holds for p in there
+                                          if p.category == category)]  # fmt: skip
+    return [("in_front_of", id) for id in free[:count]] if len(free) >= count else []
 
 
 @lru_cache(maxsize=1)

@@ -230,6 +230,9 @@ def _cleared(work: Work, finder: Finder, phrase: NounPhrase) -> tuple[tuple[str,
     ]
     resting = [s for s in phrase.spared if s not in of_these]
     left = spare(finder, riders, resting) if riders else ()
+    for stays in resting if riders else ():
+        if spare(finder, riders, [stays]) == tuple(riders):
+            raise InputError(f"'{stays.text}' is not on {', '.join(ids)}; there is {', '.join(riders)}")
     return spare(finder, ids, of_these, phrase.noun), tuple(id for id in riders if id not in left)
 
 

@@ -13,7 +13,7 @@ from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
 from thinkblox.editing.grammar import means
-from thinkblox.editing.moving import move_one
+from thinkblox.editing.moving_one import move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import MORE, compared, looks_of, otherwise

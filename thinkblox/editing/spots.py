@@ -297,7 +297,19 @@ def near_offsets(reach: float) -> list[Vec2]:
 
 
 def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> Iterator[Pose]:
-    """Poses between two things that look free from above, the nearest to the middle of the way there first."""
+    """Poses between two things that look free from above, the nearest to the middle of the way there first.
+
+    What hangs is between two that hang on one wall at their height.
+    """
+    hung = [scene[name] for name in anchors if name in scene]
+    if asset.mount == "wall":
+        wall = next((w for w in scene.room.walls if {p.support for p in hung} == {w.name}), None)
+        if wall is not None and len(hung) == 2:
+            along = sum(wall.coordinates(p.position[:2])[0] for p in hung) / 2
+            height = sum(p.position[2] + p.size[2] / 2 for p in hung) / 2 - asset.size[2] / 2
+            x, y = wall.point(along, BACK_GAP + asset.size[0] / 2)
+            yield (round(x, 4), round(y, 4), round(max(0.0, height), 4)), wall.yaw
+        return
     middle = _middle(scene, "between", anchors)
     if middle is None:
         return

@@ -15,6 +15,7 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import BEARS, BORE, NounPhrase
 from thinkblox.editing.wheres import Bound, bound, opening_named, place_text, walls_of
 from thinkblox.errors import InputError
+from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
@@ -172,6 +173,9 @@ def _at_owners(finder: Finder, noun: Noun, owners: Sequence[str], found: Sequenc
     seated = {p.id: any(measure(finder.scene, "at", p.id, (id,)).holds for id in owners) for p in found}
     resting = [p for p in found if set(finder.scene.carriers(p.id)) & set(owners)]
     near = resting or [p for p in found if seated[p.id]] or [p for p in found if away[p.id] <= BELONGING]
+    if not near and finder.start is not None and finder.scene is not finder.start:
+        begun = [p for p in finder.start.placements if p.id in away]
+        return _at_owners(dataclasses.replace(finder, scene=finder.start), noun, owners, begun)
     if not near:
         raise InputError(f"'{noun.text}': none of {', '.join(away)} is within {BELONGING:g} m of {', '.join(owners)}")
     if not resting:
@@ -241,6 +245,8 @@ def _spoken_of(finder: Finder, phrase: NounPhrase, ids: Sequence[str]) -> tuple[
     noun = phrase.noun
     bare = noun.kind == "thing" and noun.definite and not (phrase.places or phrase.id or noun.id or noun.many)
     among = [p for p in finder.matching(noun) if p.id in ids] if bare else []
+    if bare and not among:
+        among = [p for p in finder.scene.placements if p.id in ids and are_alike(p.category, noun.value)]
     return (among[0].id,) if len(among) == 1 else ()
 
 

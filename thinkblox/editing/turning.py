@@ -250,6 +250,21 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
     _say_moved(work, before)
 
 
+def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:
+    """Turn what has come to where its goals are met straight to what it only about faces, where that can be."""
+    before = work.scene[id]
+    so = all(goal.check(work.before, work.scene, id)[0] for goal in goals)
+    about = [goal for goal in _straight(goals, ABOUT) if isinstance(goal, Straight)]
+    if not so or not about or all(goal.check(work.before, work.scene, id)[0] for goal in about):
+        return
+    straight = _straight(goals, STRAIGHT)
+    there = At(before.position[:2], TURNED)
+    if reach_goals(work, id, [*straight, there], direct=turns(work.scene, before, straight), search=False) is None:
+        work.done.append(f"{id} turned straight to {', '.join(about[0].anchors)}")
+    else:
+        work.notes.append(f"{id} was not turned straight to {', '.join(about[0].anchors)}")
+
+
 def _is_before_it(scene: Scene, id: str, goal: Goal) -> bool:
     """Whether a thing looks right at another, wherever on it: a desk below a wide window does."""
     if not isinstance(goal, Straight):

@@ -256,7 +256,7 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         tops = [s.position[2] for s in finder.scene.asset_of(finder.scene[anchor]).surfaces]
         if small == [True, False] and tops and max(tops) < OVER_EYES:
             parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
-            bounds += [Bound("on", (anchor,), part=part) for part in parts]
+            bounds += [Bound("on", (anchor,), part=part, end=noun.value == "end") for part in parts]
             continue
         if seated:
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
@@ -334,7 +334,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         if noun.value == "middle" and whole is not None and whole.kind == "place":
             return _middle_of(where, whole, finder)
         if noun.value == "middle":
-            return Bound("in_centre", ("centre",), where.negated)
+            top = _top_spoken_of(finder, category) if whole is None else ""
+            return Bound("in_centre", (top or "centre",), where.negated)
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (walls_of(finder.scene, side),), where.negated) if side else None
     anchors = finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),))
@@ -426,12 +427,23 @@ def _other_side(finder: Finder, where: Where, anchor: str, category: str) -> Rel
     return "right_of" if left > 0 else "left_of"
 
 
+def _top_spoken_of(finder: Finder, category: str) -> str:
+    """What carries such things of that which was named last, or carries that: in whose middle something small goes."""
+    if not facts_of(category).is_in("small"):
+        return ""
+    named = [id for id in reversed(finder.recent) if id in finder.scene]
+    tops = [id for last in named for id in (last, finder.scene[last].support) if id in finder.scene]
+    return next((id for id in tops if facts_of(finder.scene[id].category).is_in("tables", "desks")), "")
+
+
 def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor: str) -> PartOfTop | Literal[""]:
     """Which part of a thing's top something small is to stand on: "on the left side of the desk"."""
     thing = finder.scene[anchor]
     bare = noun.word.lower() not in ("end", "side", "edge", "corner", "half")
     there = where.word in ("on", "at") or (where.word == "to" and not bare)
     on_top = there and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
+    if there and noun.word.lower() == "edge" and facts_of(category).is_in("small"):
+        return "end"
     if not on_top or noun.value not in (*get_args(PartOfTop), "side"):
         return ""
     sided = cast(PartOfTop, noun.value)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 from thinkblox.editing.grammar import longest, sections, whose
 from thinkblox.editing.orders import Order
-from thinkblox.editing.reading.clauses import told_before
+from thinkblox.editing.reading.leads import told_before
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clauses import ENDS
+from thinkblox.editing.reading.clause import ENDS
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -40,8 +40,8 @@ def with_another(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 def _verb(tokens: Sequence[Token], at: int) -> str:
     """What is done by the verb that begins there; empty where none does."""
-    found = longest("verbs", tokens, at)
-    return found[0] if found is not None else ""
+    found, change = longest("verbs", tokens, at), longest("resizing", tokens, at)
+    return found[0] if found is not None else "make" if change is not None else ""
 
 
 def _another_at(tokens: Sequence[Token], at: int) -> int:
@@ -49,6 +49,8 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
     words = [token.text for token in tokens[at : at + 4]]
     if words[:2] == ["another", "one"] or words[:2] == ["one", "more"]:
         length = 2
+    elif words[:1] == ["one"] and at and tokens[at - 1].text in ("add", "buy", "get"):
+        length = 1
     elif words[:1] == ["a"] and words[1:2] and words[1] in _SECOND and words[2:3] == ["one"]:
         length = 3
     else:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.reading.clauses import Clause
+from thinkblox.editing.reading.clause import Clause
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where

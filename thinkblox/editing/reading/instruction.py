@@ -8,10 +8,12 @@ from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Instruction, Order
 from thinkblox.editing.reading.accounting import unaccounted
 from thinkblox.editing.reading.another_one import with_another
-from thinkblox.editing.reading.clauses import Clause, clauses, without_announcements, without_reasons
+from thinkblox.editing.reading.clause import Clause
+from thinkblox.editing.reading.clauses import clauses
 from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
 from thinkblox.editing.reading.its_own import with_its_own
+from thinkblox.editing.reading.leads import without_announcements, without_reasons
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
@@ -30,8 +32,11 @@ from thinkblox.editing.reading.rewording import (
     without_rather_than,
 )
 from thinkblox.editing.reading.row_words import with_rows
+from thinkblox.editing.reading.said_more import with_more_said
+from thinkblox.editing.reading.seen_from import as_seen
 from thinkblox.editing.reading.side_words import with_sides
 from thinkblox.editing.reading.slips import without_slip
+from thinkblox.editing.reading.table_laying import with_settings
 from thinkblox.editing.reading.verbless import with_verbs
 from thinkblox.errors import InputError
 from thinkblox.reading.lexicon import Lexicon, load
@@ -57,8 +62,9 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     spelt = [without_slip(lexicon, token) for token in lexicon.tokens(plain)]
-    read = corrected(lexicon, with_sides(lexicon, spelt))
-    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(read))))
+    read = as_seen(corrected(lexicon, with_sides(lexicon, spelt)))
+    more = with_settings(with_more_said(lexicon, read))
+    again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(more))))
     owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
     said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))

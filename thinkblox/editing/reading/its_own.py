@@ -18,7 +18,9 @@ _BELONGING = (
     "that comes with",
 )
 _AT_SEAT = ("behind", "in_front_of", "at", "by", "next_to", "near")
-_MOVING = ("put", "move", "turn")
+_ASIDE = (*_AT_SEAT, "left_of", "right_of")
+_ALONG = ("both", "its", "their", "everything", "all")
+_MOVING = ("put", "move", "turn", "want")
 MOST = 8
 """Most words from "with" to "it"."""
 
@@ -30,12 +32,23 @@ def with_its_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     "the desk and everything that belongs to it" is "the desk with its seats and everything on it"; "lengthwise along
     the window" is "with its long side along the window".
     """
-    return _lengthwise(_seated(lexicon, _coming_along(_belonging(list(tokens)))))
+    return _lengthwise(_seated(lexicon, _coming_along(_belonging(_not_of_wall(tokens)))))
 
 
 def _words(text: str, start: Token | None = None) -> list[Token]:
     said = [replace(token, start=-1) for token in tokenise(text)]
     return [replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
+
+
+def _not_of_wall(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "to the wall, with both nightstands": what goes along does not tell which wall that is."""
+    left: list[Token] = []
+    for at, token in enumerate(tokens):
+        after = tokens[at + 1].text if at + 1 < len(tokens) else ""
+        if token.text == "with" and at and tokens[at - 1].text in ("wall", "corner") and after in _ALONG:
+            left.append(Token(",", ",", "mark", start=-1))
+        left.append(token)
+    return left
 
 
 def _belonging(tokens: list[Token]) -> list[Token]:
@@ -74,15 +87,49 @@ def _seated(lexicon: Lexicon, tokens: list[Token]) -> list[Token]:
             continue
         named = lexicon.longest(left, at + 2)
         thing = named.entry("object")
+        flank = longest("flanks", left, at + 2 + named.length) if thing is not None else None
         link = grammar().at(left, at + 2 + named.length, "prepositions") if thing is not None else None
-        if thing is None or link is None:
+        if flank is not None and any(longest("verbs", left, n) for n in range(at)):
+            left[at:] = [*_words("and put", left[at]), *_of_head(left[at + 1 :], _head(lexicon, left[:at]))]
+        if thing is None or link is None or flank is not None:
             continue
         it = at + 2 + named.length + link.length
         verbs = [found[0] for n in range(at) if (found := longest("verbs", left, n)) is not None]
-        if it >= len(left) or it > at + MOST or left[it].text != "it" or not verbs or verbs[-1] not in _MOVING:
+        again = it < len(left) and it <= at + MOST and left[it].text in ("it", "its", "them")
+        if not again or not verbs or verbs[-1] not in _MOVING:
             continue
-        if facts_of(thing.value).is_in("seating") and link.value in _AT_SEAT:
+        if facts_of(thing.value).is_in("seating") and link.value in _AT_SEAT and left[it].text == "it":
             left[at + 1 : it + 1] = [replace(left[at + 1], text="its"), *left[at + 2 : at + 2 + named.length]]
+        elif link.value in _ASIDE:
+            left[at:] = [*_words("and put", left[at]), *_of_head(left[at + 1 :], _head(lexicon, left[:at]))]
+    return left
+
+
+def _head(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The first known thing that is named, as it is named; empty where none is."""
+    for at in range(1, len(tokens)):
+        named = lexicon.longest(list(tokens), at)
+        if named.entry("object") is not None and tokens[at - 1].text in ("the", "my", "our"):
+            return [replace(token, start=-1) for token in tokens[at - 1 : at + named.length]]
+    return []
+
+
+def _of_head(tokens: Sequence[Token], head: Sequence[Token]) -> list[Token]:
+    """The rest of a sentence with a thing in place of "it": "the side table to its right" is to the right of that."""
+    left: list[Token] = []
+    whose = False
+    for at, token in enumerate(tokens):
+        if token.kind == "mark" and token.text != ",":
+            return [*left, *tokens[at:]]
+        part = token.text == "its" and grammar().at(tokens, at + 1, "parts") is not None
+        if head and part:
+            left += [replace(token, text="the")]
+        elif head and token.text == "it":
+            left += [*head]
+        else:
+            left += [token, *(_words("of") if whose else ()), *(head if whose else ())]
+            part = False
+        whose = part
     return left
 
 

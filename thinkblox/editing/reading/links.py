@@ -1,5 +1,6 @@
 """Prepositions, verbs and other words between the nouns of an order."""
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reading.cutting import Item, OrderMark
@@ -67,7 +68,7 @@ def _join(draft: OrderDraft, link: Connector) -> None:
     """Read "all of the chairs but one"; "or" and reasons are not followed."""
     if link.value != "but":
         draft.lose(link)
-    elif _is_exception(draft) and (noun := draft.next_noun()) is not None:
+    elif (_is_exception(draft) or _is_of_places(draft)) and (noun := draft.next_noun()) is not None:
         place(draft, Where("except", merged(draft, noun), text=link.text))
 
 
@@ -79,6 +80,13 @@ def _is_exception(draft: OrderDraft) -> bool:
     every = said is not None and (said.det in ("all", "each") or said.plural)
     counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
     return every and counted and draft.mode in ("things", "instead")
+
+
+def _is_of_places(draft: OrderDraft) -> bool:
+    """Whether it excepts some of the places at each of which something is put: "on every table but the last"."""
+    noun, places = draft.ahead(), draft.places()[-1:]
+    each = bool(places) and places[0].noun is not None and places[0].noun.each
+    return each and isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
 
 
 def _mutual(draft: OrderDraft, link: Connector) -> None:
@@ -93,8 +101,9 @@ def _mutual(draft: OrderDraft, link: Connector) -> None:
     elif link.text.lower() in _OF_TWO:
         _of_two(draft, _OF_TWO[link.text.lower()], link)
     elif (link.value == "facing" and draft.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
-        link.value == "next_to" and draft.order.doing in ("move", "put")
+        link.value == "next_to" and draft.order.doing in ("move", "put", "add", "turn")
     ):
+        draft.order.doing = "move" if link.value == "next_to" and draft.order.doing == "turn" else draft.order.doing
         draft.order.mutual = link.value
         draft.order.abreast |= link.text.lower() == "side by side"
     elif link.value == "next_to" and draft.order.doing == "replace" and draft.mode == "instead":
@@ -152,6 +161,8 @@ def _with_own(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Take "with its back (to it)", "with its long side along it", "with everything on it"; whether it was that."""
     if link.value == "with" and takes_with_side(draft, following):
         return True
+    if link.value == "with" and following.kind == "part" and following.value in ("back", "head"):
+        following.det = "my" if following.det == "the" else following.det
     return (link.value in ("with", "so") and is_back(following)) or takes_all_on_it(draft, link, following)
 
 
@@ -186,6 +197,12 @@ def _is_purpose(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Whether words say what for: "make room for a wheelchair", "a chair for the teacher", "a shelf for toys"."""
     if link.value != "for":
         return False
+    new = draft.new_thing()
+    people = following.kind == "people" or (following.kind == "number" and not following.det)
+    table = new is not None and (new.value == "any_table" or facts_of(new.value).is_in("tables"))
+    if people and following.count and table and new is not None:
+        new.attributes.append(f"for-{following.count}")
+        return True
     told = following.det == "the" and not following.plural
     kept_in_it = following.kind == "thing" and following.plural and not (following.det or following.count)
     if (following.kind == "people" and not told) or (kept_in_it and draft.order.doing in _OF_NEW):
@@ -227,6 +244,8 @@ def _comes_instead(draft: OrderDraft, link: Connector, following: Noun) -> bool:
     """Whether what follows comes in place of the thing: "replace A with a B", "swap A for a B"."""
     order = draft.order
     if following.kind not in ("thing", "number") or not order.things:
+        return False
+    if link.value == "for" and order.instead and following.kind == "number":
         return False
     pointed = following.of_known or following.definite or following.id or following.det in ("the", "other")
     new = not pointed and (following.det in ("a", "another", "") or (following.kind == "number" and not following.rows))

@@ -49,6 +49,7 @@ def read_noun(draft: OrderDraft, noun: Noun) -> None:
         or _told_by_rider(draft, noun)
         or is_each_of_new(draft, noun)
         or is_one_of_company(draft, noun)
+        or _is_second_anchor(draft, noun)
     ):
         return
     noun = as_another(draft, merged(draft, noun))
@@ -221,12 +222,38 @@ def _thing(draft: OrderDraft, phrase: NounPhrase) -> None:
     elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
         if order.things and is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
             phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
-        if order.things and order.things[-1].noun.rows and noun.kind == "thing" and not (noun.det or noun.count):
-            phrase.noun = replace(noun, det="my", text=f"their {noun.text}")
+        if order.things and order.things[-1].noun.rows and noun.kind == "thing" and _is_of_row(draft, noun):
+            phrase.noun = replace(noun, det="my", text=f"their {noun.text.removeprefix('the ')}")
         order.things.append(_at_another(draft, phrase))
         draft.anchors, draft.former = [], draft.anchors
     else:
         draft.lose(noun)
+
+
+def _is_of_row(draft: OrderDraft, noun: Noun) -> bool:
+    """Whether what is named after things in a row is theirs: "(remove the chairs in that row and) the monitors too"."""
+    too = draft.order.text.lower().endswith((" too", " as well"))
+    theirs = too and draft.order.doing == "remove" and noun.det == "the" and noun.plural
+    return not noun.count and (not noun.det or theirs)
+
+
+def _is_second_anchor(draft: OrderDraft, noun: Noun) -> bool:
+    """Take another thing that a new one is to be at as well: "(a rug) under the armchair and (the) side table"."""
+    order, before, following = draft.order, draft.before(), draft.ahead()
+    last = order.things[-1] if order.things else None
+    joined = isinstance(before, Connector) and before.text.lower() == "and"
+    goes_on = isinstance(following, Connector) and following.sort == "prepositions"
+    otherwise = draft.negated or draft.mode != "things" or draft.pending is not None or draft.excepted is not None
+    if order.doing not in ("add", "put") or last is None or not last.places or not joined or goes_on or otherwise:
+        return False
+    where = last.places[-1]
+    anchor = where.noun if where.second is None and where.whole is None and where.word != "with" else None
+    new = last.noun.kind == "thing" and not last.noun.definite and not last.noun.id
+    known = anchor is not None and anchor.kind == "thing" and (anchor.det == "the" or bool(anchor.id))
+    bare = noun.kind == "thing" and not (noun.count or noun.plural) and noun.det in ("", "the")
+    if new and known and bare:
+        last.places.append(replace(where, noun=replace(noun, det=noun.det or "the")))
+    return new and known and bare
 
 
 def _is_within(draft: OrderDraft, noun: Noun) -> bool:

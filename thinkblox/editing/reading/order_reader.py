@@ -7,7 +7,7 @@ from typing import cast
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import Doing, Order
-from thinkblox.editing.reading.clauses import Clause
+from thinkblox.editing.reading.clause import Clause
 from thinkblox.editing.reading.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.reading.draft import OrderDraft
 from thinkblox.editing.reading.finishing import finish
@@ -58,7 +58,7 @@ def read_order(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds
 
 def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str]) -> OrderDraft:
     """An order of which only the verb is read."""
-    words = clause.text.lower().split()
+    words = clause.text.lower().split() or [clause.doing]
     verb = next((word for word in words if means("drawing", word)), words[0])
     order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
     told = [word.lower() for word in clause.text.split()[:4]]

@@ -46,6 +46,8 @@ def phrase_of(draft: OrderDraft, noun: Noun) -> NounPhrase:
         noun = replace(noun, rows=1, ordinal=MIDDLE_ROW)
     if noun.fraction[1]:
         share = noun.fraction[0] / noun.fraction[1]
+    if noun.vague and noun.kind == "thing" and singular(noun.text.split()[-1]) == noun.text.split()[-1].lower():
+        noun = replace(noun, count=1, vague=False, plural=False, det="another")
     left = int(-share) if share < 0 else 0
     return NounPhrase(noun, id=noun.id, rank=int(rank or 0), along=along, share=max(share, 0.0), left=left)
 

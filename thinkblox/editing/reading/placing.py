@@ -20,12 +20,7 @@ def place(draft: OrderDraft, where: Where) -> None:
     """Take a place, or what else a preposition and its nouns say."""
     order = draft.order
     if where.word == "except" and where.noun is not None:
-        noun = where.noun
-        draft.excepted = NounPhrase(noun, id=noun.id)
-        if order.doing in ("add", "put", "ensure") and any(w.noun and w.noun.each for w in draft.places()):
-            order.besides.append(draft.excepted)
-            return
-        (order.things[-1].spared if order.things else order.spared).append(draft.excepted)
+        _except(draft, where.noun)
         return
     if where.word == "instead" and where.noun is not None:
         _instead_of(draft, where, where.noun)
@@ -53,6 +48,20 @@ def place(draft: OrderDraft, where: Where) -> None:
     attach(draft, where)
 
 
+def _except(draft: OrderDraft, noun: Noun) -> None:
+    """Take what is excepted: of things, or of the places at each of which something is put."""
+    order = draft.order
+    draft.excepted = NounPhrase(noun, id=noun.id)
+    each = [w.noun for w in draft.places() if w.noun is not None and w.noun.each]
+    if order.doing not in ("add", "put", "ensure") or not each:
+        (order.things[-1].spared if order.things else order.spared).append(draft.excepted)
+        return
+    if noun.text.lower() in ("the one", "the ones", "one"):
+        kind = replace(noun, kind="thing", value=each[0].value, named=True, det=noun.det or "the")
+        draft.excepted = NounPhrase(kind)
+    order.besides.append(draft.excepted)
+
+
 def _is_on_new(draft: OrderDraft, where: Where) -> bool:
     """Whether what comes along with a new thing is said to be on that: "two tables with a lamp on each"."""
     order, noun = draft.order, where.noun
@@ -73,7 +82,7 @@ def _is_on_what_bears(draft: OrderDraft, where: Where) -> bool:
 def _is_like_those(draft: OrderDraft, where: Where) -> bool:
     """Whether a new thing is to be "like the others", as it is anyway."""
     other = where.noun is not None and where.noun.det == "other"
-    return where.word == "as" and other and draft.order.doing == "add"
+    return where.word == "as" and other and draft.order.doing in ("add", "put", "ensure")
 
 
 def _is_without_gap(draft: OrderDraft, where: Where) -> bool:
@@ -123,7 +132,7 @@ def _refer(draft: OrderDraft, where: Where) -> None:
     noun, things = where.noun, draft.order.things
     if noun is not None and is_it(noun) and where.word != "with":
         walled = bool(draft.anchors) and draft.anchors[-1].kind == "place" and bool(draft.former)
-        if walled and "wall" in draft.anchors[-1].value:
+        if (walled and "wall" in draft.anchors[-1].value) or _is_across(draft, where):
             where.noun = draft.former[-1]
         elif draft.anchors[-1:] and draft.anchors[-1].value == "floor":
             pass
@@ -137,6 +146,14 @@ def _refer(draft: OrderDraft, where: Where) -> None:
         where.whole = known
     if where.word != "with" or draft.order.doing not in ("add", "remove", *WITH_ALONG):
         draft.anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
+
+
+def _is_across(draft: OrderDraft, where: Where) -> bool:
+    """Whether a thing goes to the other side of what the one before goes to: "left of the sofa and ... right of it"."""
+    before = draft.order.things[-2].places[-1:] if len(draft.order.things) > 1 else []
+    sides = {before[0].word, where.word} if before else set()
+    known = bool(draft.former) and not draft.anchors and draft.former[-1].kind == "thing"
+    return known and sides in ({"left_of", "right_of"}, {"in_front_of", "behind"}, {"above", "under"})
 
 
 def attach(draft: OrderDraft, where: Where) -> None:

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clauses import ENDS, starts_with_verb
+from thinkblox.editing.reading.clause import ENDS
+from thinkblox.editing.reading.clause_starts import starts_with_verb
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token, tokenise
 
@@ -15,6 +16,7 @@ _AGAIN = ("it", "them")
 _IT = ("it", "they")
 _OWN = ("my", "our", "your", "some", "their", "his", "her")
 _FROM_IT = ("it", "them", "there", "here")
+_NEEDED = ("the", "missing", "needed", "necessary", "extra", "more", "please", ".")
 _PARTING = (",", "and", "then", "but")
 
 
@@ -33,9 +35,13 @@ def without_purposes(tokens: Sequence[Token]) -> list[Token]:
         if longest("reasons", left, at) is not None or (_begins(left, at) and left[at].text in ("since", "as")):
             left = _without_reason(left, at)
         elif left[at].text == "so":
-            left = _without_purpose(left, at)
+            left = _seated(left, at) or _without_purpose(left, at)
+        elif left[at].text == "to":
+            left = _without_whole(left, at)
         elif left[at].text in _IT:
             left = _without_excess(_without_need(left, at), at)
+        elif means("anybody", left[at].text) and at and left[at - 1].text in (",", ":"):
+            left = _without_need(left, at)
         elif left[at].text == "for" and at:
             left = _without_use(left, at)
     return left
@@ -58,6 +64,10 @@ def _without_excess(tokens: list[Token], at: int) -> list[Token]:
     told = words[:1] in (["is"], ["are"]) and words[1:] in (["too"], ["so"], ["very"], ["rather"], ["quite"])
     begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
     ordered = any(longest("verbs", tokens, n) is not None for n in range(begin, at))
+    opinion = longest("opinions", tokens, at + 2) if words[:1] in (["is"], ["are"]) else None
+    over = at + 2 + opinion[1] if opinion is not None else 0
+    if over and ordered and tokens[at - 1].text in (",", ":") and (over == len(tokens) or tokens[over].kind == "mark"):
+        return _cut(tokens, at, over)
     if not told or not ordered or tokens[at - 1].text not in (",", ":"):
         return tokens
     end = _end(tokens, at + 3)
@@ -114,6 +124,10 @@ def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
     done += able[1] if able is not None else 0
     end = _end(tokens, done)
     if (seen := longest("seeing", tokens, done)) is not None:
+        after = [token.text for token in tokens[done + seen[1] : done + seen[1] + 2]]
+        if after in (["it", "from"], ["them", "from"]) and done + seen[1] + 2 < end:
+            tokens = [*tokens[: done + seen[1]], *tokens[done + seen[1] + 2 :]]
+            end -= 2
         words = tokenise("so that it faces")
         shown = " ".join(token.shown for token in tokens[at : done + seen[1]])
         faces = [replace(words[0], shown=shown, start=tokens[at].start), *(replace(w, start=-1) for w in words[1:])]
@@ -124,6 +138,41 @@ def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
     if [token.text for token in tokens[done:end]] in (["reach", again] for again in _AGAIN):
         return _cut(tokens, at, end)
     return tokens if able is None or needs_way else _cut(tokens, at, end)
+
+
+def _seated(tokens: list[Token], at: int) -> list[Token]:
+    """The tokens with "(make it longer) so that eight can sit at it" as so many chairs at it; else empty."""
+    said = at + 1 + (tokens[at + 1].text == "that" if at + 1 < len(tokens) else 0)
+    if not at or said >= len(tokens) or not _is_count(tokens, said):
+        return []
+    who = said + 1 + (said + 1 < len(tokens) and grammar().knows(tokens[said + 1].text, "people"))
+    able = longest("able", tokens, who) if who < len(tokens) else None
+    sits = who + able[1] if able is not None else len(tokens)
+    end = _end(tokens, said)
+    if sits >= end or tokens[sits].text not in ("sit", "eat", "dine", "be") or _placed(tokens, sits + 1):
+        return []
+    words = [replace(token, start=-1) for token in tokenise(", there should be chairs at it")]
+    shown = " ".join(token.shown for token in tokens[at:end])
+    there = replace(words[1], start=tokens[at].start, shown=shown)
+    rest = tokens[end:]
+    more = [token.text for token in rest]
+    begun = sum(word in (",", "and", "then") for word in more[:2])
+    needless = more[begun : begun + 1] == ["add"] and [w for w in more[begun + 1 :] if w not in _NEEDED] == ["chairs"]
+    rest = [] if needless else rest
+    return [*tokens[:at], words[0], there, *words[2:4], replace(tokens[said], start=-1), *words[4:], *rest]
+
+
+def _is_count(tokens: Sequence[Token], at: int) -> bool:
+    return tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+
+
+def _without_whole(tokens: list[Token], at: int) -> list[Token]:
+    """Without "(push two tables together) to make one long table": what comes of it when they stand so."""
+    words = [token.text for token in tokens[at + 1 : at + 3]]
+    makes = words[:1] and words[0] in ("make", "form", "create", "get") and words[1:] and words[1] in ("a", "an", "one")
+    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    joined = any(token.text == "together" for token in tokens[begin:at])
+    return _cut(tokens, at, _end(tokens, at + 1)) if makes and joined else tokens
 
 
 def _person(tokens: Sequence[Token], at: int) -> int:

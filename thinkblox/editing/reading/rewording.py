@@ -4,11 +4,12 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import DEGREES
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
 
@@ -74,7 +75,8 @@ _ASIDE = ("behind", "in_front_of", "left_of", "right_of", "next_to", "under", "a
 def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "(put the chair there) with an alarm clock on it" as ", add an alarm clock on it".
 
-    So is "(add an armchair) with a lamp behind it", whatever it goes with; what is on something new is read with that.
+    So is "(add an armchair) with a lamp behind it", whatever it goes with; what is on something new is read with that,
+    unless it is said before where that goes: "(add a bench by the bed) with a blanket on it".
     """
     left = list(tokens)
     for at in reversed(range(2, len(tokens) - 3)):
@@ -88,12 +90,24 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
         end = min(at + MOST_NAMED, len(tokens)) if end is None else end
         on_it = [token.text for token in tokens[end - 2 : end]] in (["on", "it"], ["on", "them"])
-        begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].kind == "mark"), 0)
-        verbs = [(n, longest("verbs", tokens, n)) for n in range(begin, at)]
-        after = [tokens[n + found[1]].text for n, found in verbs if found is not None and found[0] in ("put", "move")]
-        if on_it and any(word in ("the", "my", "both", "it", "them") for word in after):
+        begin = next((n + 1 for n in range(at - 2, -1, -1) if tokens[n].kind == "mark"), 0)
+        said = ((n, longest("verbs", tokens, n)) for n in range(begin, at))
+        verbs = [(n + found[1], found[0]) for n, found in said if found is not None]
+        after = [tokens[n].text for n, doing in verbs if doing in ("put", "move")]
+        known = any(word in ("the", "my", "both", "it", "them") for word in after)
+        has_place = verbs and any(grammar().at(tokens, n, "prepositions") is not None for n in range(verbs[-1][0], at))
+        links = [n for n in range(at, end) if tokens[n].text in ("and", ",")]
+        links += [at] if links else []
+        if on_it and (known or (has_place and all(_is_small(tokens, n + 1) for n in links))):
             left[at : at + 1] = added
     return left
+
+
+def _is_small(tokens: Sequence[Token], at: int) -> bool:
+    """Whether something small is named there: "a book"."""
+    at += at < len(tokens) and tokens[at].text in ("a", "an", "some", "two", "three")
+    thing = load("en").longest(list(tokens), at).entry("object") if at < len(tokens) else None
+    return thing is not None and facts_of(thing.value).is_in("small")
 
 
 def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
@@ -102,7 +116,7 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
     What it goes with has a place of its own before that: of "put a stool with a pillow beside it" that is the stool's.
     """
     begin = next((n for n in range(at - 1, -1, -1) if longest("verbs", tokens, n) is not None), 0)
-    if not any(grammar().at(tokens, n, "prepositions") is not None for n in range(begin, at)):
+    if not any(grammar().at(tokens, n, "prepositions") or tokens[n].text == "there" for n in range(begin, at)):
         return False
     for n in range(at + 2, min(at + MOST_NAMED, len(tokens) - 1)):
         found = grammar().at(tokens, n, "prepositions")
@@ -116,8 +130,17 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
 
 
 def in_its_place(tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place"."""
+    """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place".
+
+    "Instead of under the bed", where something is not to be, is ", not under the bed".
+    """
     left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 2)):
+        link = grammar().at(tokens, at + 2, "prepositions")
+        if tokens[at].text == "instead" and tokens[at + 1].text == "of" and link is not None and link.value != "of":
+            comma, no = Token(",", ",", "mark", start=-1), Token("not", "not", "word", start=-1)
+            left[at : at + 2] = [comma, replace(no, shown="instead of", start=tokens[at].start)]
+    tokens = list(left)
     for at in reversed(range(2, len(tokens) - 2)):
         words = [token.text for token in tokens[at : at + 3]]
         its = {"it": "its", "them": "their"}.get(words[2], "")
@@ -196,9 +219,17 @@ def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 
 def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about."""
+    """The tokens with "(a second desk next to) mine" as "the desk": of such as the sentence is about.
+
+    So is "one" of "(replace the table with) a round one for six", which is told by how many sit at it.
+    """
     left = list(tokens)
     for at in reversed(range(1, len(tokens))):
+        if tokens[at].text == "one" and _is_for_many(tokens, at + 1):
+            head = _last_thing(lexicon, tokens[:at])
+            name = singular(head.text) if head is not None else tokens[at].text
+            left[at] = replace(tokens[at], text=name, shown=name)
+            continue
         if tokens[at].text not in ("mine", "ours", "yours"):
             continue
         begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in (".", ";", "!", "?")), 0)
@@ -206,6 +237,16 @@ def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
             the = replace(tokens[at], text="the")
             left[at : at + 1] = [the, replace(head, text=singular(head.text), start=-1)]
     return left
+
+
+def _is_for_many(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it goes on with for how many people something is: "for six", "that seats six"."""
+    same = longest("same", tokens, at)
+    seats = same is not None and same[0] == "for"
+    after = at + (same[1] if same is not None and seats else 1)
+    begun = seats or (at < len(tokens) and tokens[at].text == "for")
+    counted = after < len(tokens) and grammar().at(tokens, after, "count") is not None
+    return begun and (counted or (after < len(tokens) and tokens[after].kind == "number"))
 
 
 def _first_thing(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import cast
 
 from thinkblox.assets import facts_of
+from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reading.draft import OrderDraft, is_it
 from thinkblox.editing.reading.locating import read_where
 from thinkblox.knowledge.habits import load_habits
@@ -51,6 +52,11 @@ def comes_along(draft: OrderDraft, *, each: bool) -> None:
     if head is None or things[head].noun.definite:
         return
     later, kind = things[head + 1 :], things[head].noun.value
+    bare = [p for p in later if not (p.noun.det or p.noun.count or p.noun.id)]
+    if later and len(bare) == len(later) and not any(p.places for p in later[:-1]) and _is_along_only(things[head]):
+        theirs = [where for where in later[-1].places if not _is_on_it(where)]
+        things[head].places += theirs
+        later[-1].places = [where for where in later[-1].places if where not in theirs]
     on_it = [p for p in later if p.places and all(_is_on_it(where) for where in p.places)]
     new = all(p.noun.kind == "thing" and not (p.noun.definite or (p.places and p not in on_it) or p.id) for p in later)
     usual = all(
@@ -60,6 +66,11 @@ def comes_along(draft: OrderDraft, *, each: bool) -> None:
     if later and new and (each or usual or later[-1] in on_it):
         things[head].places += [Where("with", p.noun, text="with") for p in later]
         del things[head + 1 :]
+
+
+def _is_along_only(phrase: NounPhrase) -> bool:
+    """Whether what comes along with it is all that is said of where it goes."""
+    return all(where.word == "with" for where in phrase.places)
 
 
 def _is_on_it(where: Where) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.by_compass import WAYS
-from thinkblox.editing.reading.clauses import ENDS
+from thinkblox.editing.reading.clause import ENDS
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clauses import ENDS
+from thinkblox.editing.reading.clause import ENDS
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.lexicon import Lexicon
