@@ -12,6 +12,8 @@ from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 
+pytestmark = pytest.mark.slow
+
 
 def done(scene: Scene, instruction: str) -> Edit:
     result = edit_room(scene, instruction)

@@ -17,6 +17,8 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.support import placed_at
 
+pytestmark = pytest.mark.slow
+
 
 def gap(scene: Scene, one: str, other: str) -> float:
     return ground_gap(things(scene, one)[0], things(scene, other)[0])

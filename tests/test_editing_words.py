@@ -16,6 +16,8 @@ from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
 
+pytestmark = pytest.mark.slow
+
 
 def gap(scene: Scene, one: str, other: str) -> float:
     return min(ground_gap(things(scene, one)[0], mark) for mark in things(scene, other))

@@ -188,7 +188,7 @@ def test_a_judge_that_does_not_rate_is_found_out_at_once(
     ("arguments", "says"),
     [
         (["--policy", "hf:{tmp}/nothing"], "hf:{tmp}/nothing: "),
-        (["--policy", "openai:http://127.0.0.1:9/v1#model"], "cannot be reached"),
+        pytest.param(["--policy", "openai:http://127.0.0.1:9/v1#model"], "cannot be reached", marks=pytest.mark.slow),
         (["--policy", "replay:trace.jsonl"], "plays one room again"),
         (["--policy", "somebody"], "'somebody' names nobody"),
         (["--policy", "expert", "--mode", "one-shot"], "the expert answers step by step"),

@@ -18,6 +18,8 @@ from thinkblox.sim.build import build_spec
 from thinkblox.sim.foreign.model_report import model_report
 from thinkblox.sim.foreign.opening import open_model
 
+pytestmark = pytest.mark.slow
+
 PROMPTS = Path(__file__).with_name("bench").joinpath("prompts.txt").read_text(encoding="utf-8").splitlines()
 KINDS = ("fridge", "office_chair", "table_lamp", "ball", "bean_bag", "cabinet", "bowl")
 

@@ -17,6 +17,8 @@ from thinkblox.scene.pairs import NEXT_TO
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import rectangle, turn_between
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def made(prompt: str) -> Generation:

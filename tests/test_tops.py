@@ -18,6 +18,8 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.windows import hangs_at_window
 
+pytestmark = pytest.mark.slow
+
 ONCE = Effort(restarts=0)
 
 
