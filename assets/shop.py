@@ -278,8 +278,8 @@ def display_case(spec: Spec) -> Build:
     ]
     if not spec.has("empty"):
         body += _shown(spec, y - 0.06, low + 0.01, z - low - 0.06)
-    inside = top_surface("cloth", *area, low + 0.01, headroom=z - low - 0.02 - pane)
-    return Build(body=body, surfaces=[inside])
+    inside = inner_surface("cloth", *area, low + 0.01, headroom=z - low - 0.02 - pane)
+    return Build(body=body, surfaces=[top_surface("top", around(0, x - 0.02), around(0, y - 0.02), z), inside])
 
 
 def _shown(spec: Spec, width: float, base: float, most: float) -> list[Part]:

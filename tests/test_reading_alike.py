@@ -50,7 +50,7 @@ def test_all_of_a_list_look_as_is_said_of_all(prompt: str, asked: str) -> None:
             "A couch. A tissue box within reach of the couch on a side table.",
             "1 tissue_box near sofa, 1 tissue_box on side_table",
         ),
-        ("A deli with a glass counter with four steaks inside.", "4 steak inside display_case"),
+        ("A deli with a glass display case with four steaks inside.", "4 steak inside display_case"),
         ("Two bunk beds. Between them under the window a desk.", "1 desk between bunk_bed, 1 desk next_to window"),
         (
             "A sofa. In front of it on a rug a coffee table.",
@@ -156,6 +156,8 @@ def test_so_many_at_sides_seats_walls_and_corners_are_there(prompt: str, relatio
     [
         ("A sofa. Opposite the sofa, at 2.5 meters, a TV.", "2.5 meters"),
         ("A kids room with a bunk bed. A teddy bear on the lower bunk.", "on the lower bunk"),
+        ("A deli with a glass counter with four steaks inside.", "inside"),
+        ("A deli. Inside the glass counter are four steaks.", "Inside the glass counter"),
         ("A gallery. Two paintings on each wall except the door wall.", "except the door wall"),
     ],
 )

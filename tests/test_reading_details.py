@@ -455,7 +455,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("A piano on a side table.", "hardly"),
         ("Two armchairs, a sofa, a rug under all of them.", "under all of them"),
         ("A dining table with six chairs, with one chair missing.", "one chair missing"),
-        ("Cakes in a shop counter.", "in a shop counter"),
+        ("Cakes in a glass counter.", "in a glass counter"),
         ("Shelves with paint.", "paint"),
         ("A rug in the middle and a sofa on its north side.", "its north side"),
         ("A sofa facing south.", "facing south"),

@@ -209,10 +209,11 @@ class Memberships(Ties):
             joined = front.kind in _FOR_JOINED and self.separator in ("and", "comma")
             if listed and front.kind not in _FOR_ALL and not joined:
                 continue
-            if front.meaning.loose and not front.used:
+            meaning = self.meanings.of_each(front.meaning, things)
+            if (front.meaning.loose or meaning.loose) and not front.used:
                 self._lose_where(front.where)
             front.used = True
-            self._relate(things, self.meanings.of_each(front.meaning, things), negated=front.where.negated)
+            self._relate(things, meaning, negated=front.where.negated)
 
     def _stands_apart(self, thing: Mention) -> bool:
         """Whether it is furniture, or else stands on the floor or hangs, rather than lying with what is listed."""

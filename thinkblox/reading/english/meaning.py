@@ -171,7 +171,7 @@ class Meanings:
         found = self._single(kind, subjects, likely, noun)
         if found is None or (kind == "outside" and not _HOLLOW & {*found.noun.split("_")}):
             return None
-        return Meaning(kind, (found,), told=True)
+        return self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
 
     def _single(
         self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False

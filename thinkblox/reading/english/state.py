@@ -172,7 +172,7 @@ class State(Namer):
         kinds = ("thing", "part", "place", "number")
         other = bool(nouns) and nouns[0].kind == "pronoun" and nouns[0].text.lower() not in ("this", "that")
         other &= bool(self.draft.things) or where.word != "in"
-        if where.noun is None and where.word == "outside" and where.text:
+        if where.noun is None and (where.word == "outside" or where.text.lower() == "inside") and where.text:
             self._lose(where.start, where.start + len(where.text.split()))
         if nouns and (nouns[0].kind in kinds or other) and where.text:
             self._lose(where.start, nouns[-1].end)

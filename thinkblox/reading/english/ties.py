@@ -410,7 +410,7 @@ class Ties(Relating):
         self, thing: Mention, head: Mention, usual: str | None, frame: Listed, *, lies: bool, first: bool
     ) -> str | None:
         """How a thing belongs to another "with" it."""
-        if usual == "on" and lies and self._has_shelves(head):
+        if usual == "on" and lies and (self._has_shelves(head) or last_word(head) in grammar().lists["showing"]):
             return "inside"
         if usual:
             return usual
