@@ -58,6 +58,8 @@ def people(words: Collection[str]) -> int:
     return 0
 
 
+_SAME = 1e-9
+"""Lengths that differ by less are the same [m]."""
 _EVEN = frozenset({"round", "square", "circular"})
 """Words for what is as wide as it is deep, or on a wall as it is high."""
 
@@ -77,12 +79,14 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     x, y = _plan(category, x, y, words)
     share = category.variation * (0.35 if exact else 1.0) * (1.0 if category.mount == "floor" else _SMALL_VARIED)
     fx, fy, fz = (1 + share * float(v) for v in rng.uniform(-1, 1, 3))
-    if abs(x - y) < 1e-9:
+    if abs(x - y) < _SAME:
         fy = fx
     if category.mount == "wall" and _EVEN & words:
         side = float(np.sqrt(y * z)) * fy
         return _within(category, (x * fx, side, side))
     size = _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+    if _EVEN & words and abs(x - y) < _SAME:
+        size = _within(category, (max(size[:2]), max(size[:2]), size[2]))
     return lain(category, size) if is_stood(category, words) else size
 
 

@@ -151,6 +151,16 @@ def test_attributes_change_what_is_made() -> None:
     assert len(shapes_of(books)) > len(shapes_of(make_asset("bookcase", seed=0))) + 10
 
 
+@pytest.mark.parametrize("category", ["conference_table", "dining_table", "kitchen_table", "desk", "coffee_table"])
+@pytest.mark.parametrize(
+    "words", [("round",), ("round", "for-2"), ("round", "for-3"), ("square", "for-4"), ("round", "small")]
+)
+def test_what_is_round_or_square_on_the_floor_is_as_deep_as_wide(category: str, words: tuple[str, ...]) -> None:
+    for seed in range(5):
+        depth, width, _ = make_asset(category, seed=seed, attributes=words).size
+        assert depth == pytest.approx(width, abs=1e-6)
+
+
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("category", ["mirror", "clock", "picture"])
 def test_what_is_round_or_square_on_a_wall_is_as_high_as_wide(category: str, seed: int) -> None:
