@@ -631,7 +631,9 @@ class Meanings:
         if name in _OPENINGS:
             return opening(word, name, self._gaps(said)) if said.det != "other" else None
         if name == "ceiling":
-            return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
+            stands = word == "under" and any(load_habits().is_in(t.noun, *_OPEN_TOPS) for t in subjects)
+            hangs = word in ("on", "from", "under", "at", "to", "near") and not stands
+            return Meaning("on", ("ceiling",)) if hangs else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
         name = "short_wall" if name == "wall" and each and "end" in said.text.lower().split() else name
