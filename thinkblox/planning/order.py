@@ -271,7 +271,8 @@ def _belongs_beside(member: Member, members: Members) -> bool:
     first = next(iter(load_habits().of(member.category)), None)
     if first is None or first.kind != "next_to" or not facts_of(member.category).is_in("cases"):
         return False
-    beside = (a for tie in member.ties if tie.kind == "next_to" for a in tie.anchors if a in members.by_id)
+    asked = (tie for tie in member.ties if tie.kind == "next_to" and tie.asked)
+    beside = (anchor for tie in asked for anchor in tie.anchors if anchor in members.by_id)
     return any(members.by_id[anchor].category in first.anchors for anchor in beside)
 
 
