@@ -2,15 +2,7 @@
 
 import pytest
 
-from thinkblox.reading import read_brief
-
-
-def told(prompt: str) -> tuple[dict[str, int], set[str]]:
-    """What is asked for, and how it stands."""
-    brief = read_brief(prompt)
-    assert not brief.unknown
-    relations = {f"{r.subject} {r.kind} {' '.join(r.anchors)}" for r in brief.relations if r.asked}
-    return {r.category: r.count for r in brief.requests if r.asked}, relations
+from tests.test_reading_asides import told
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ _ALL = ("all", "both")
 def with_all_alike(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "all" before a look, after what it is said of, stands for all of these."""
     made = list(chunks)
-    for at in range(2, len(made) - 1):
+    for at in range(len(made) - 2, 1, -1):
         word = _all(made[at])
         if not word or not _ends_list(made[:at]):
             continue
@@ -20,9 +20,7 @@ def with_all_alike(chunks: Sequence[Chunk]) -> list[Chunk]:
             after += 2
         if _is_look(made[after:]):
             said = made[at]
-            made[at : at + 1] = [Noun("pronoun", "all", said.start, made[after].start, "all", det=word)]
-            del made[at + 1 : after]
-            return [*made[: at + 1], *with_all_alike(made[at + 1 :])]
+            made[at:after] = [Noun("pronoun", "all", said.start, made[after].start, "all", det=word)]
     return made
 
 
