@@ -23,9 +23,16 @@ _PLACING = ("on", "inside", "above", "under", "in_corner", "against_wall", "in_c
 
 
 def carry_contents(draft: Draft) -> None:
-    """Say of a container where its contents are said to be: "a toolbox with a hammer in it on a workbench"."""
+    """Say of a container where its contents are said to be: "a toolbox with a hammer in it on a workbench".
+
+    Of "armchairs, each with a lamp on a side table", each side table has its lamp.
+    """
     for thing in draft.things:
         bonds = [b for b in draft.bonds_of(thing) if _is_carried(b)]
+        for bond in bonds if thing.per else ():
+            carrier = bond.anchors[0]
+            if isinstance(carrier, Mention) and carrier.per == thing.per and bond.kind != "under":
+                thing.per, bond.each = [], True
         for held in (b for b in bonds if b.kind == "inside" or len(bonds) > 1):
             container = held.anchors[0]
             assert isinstance(container, Mention)

@@ -12,7 +12,9 @@ from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
+from thinkblox.reading.english.bare_fronts import with_bare_fronts
 from thinkblox.reading.english.bare_places import with_bare_places
+from thinkblox.reading.english.belongings import with_belongings
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.broken_off import with_broken_off
 from thinkblox.reading.english.centring import with_centres
@@ -39,6 +41,7 @@ from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
+from thinkblox.reading.english.sequences import with_sequences
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
@@ -111,6 +114,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_sequences,
         with_apposed,
         with_goals,
         with_tasks,
@@ -119,6 +123,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_all_alike,
         with_holders,
         with_passing,
+        with_belongings,
+        with_bare_fronts,
         with_denied_places,
         with_kept_clear,
         with_switched,

@@ -7,6 +7,7 @@ from thinkblox.assets.catalogue import GENERAL_WORDS
 from thinkblox.assets.palette import COLOURS, without_general
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.stand_ins import stand_in
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
 from thinkblox.reading.english.across import settle_opposite_walls
@@ -33,6 +34,8 @@ class Audit(Doubts):
                 continue
             if not self.account.is_lost(chunk.start, chunk.end):
                 self._lose(chunk.start, chunk.end)
+        for thing in self.draft.things:
+            self._find_each(thing)
         self._allow_asked()
         settle_opposite_walls(self.draft)
         hang_up(self.draft, self.cut, self.meant)
@@ -40,7 +43,6 @@ class Audit(Doubts):
         self._ask_again()
         settle_front(self.draft)
         for thing in list(self.draft.things):
-            self._find_each(thing)
             self._look_otherwise(thing)
             self._contradicts(thing)
             noun = self.named_by.get(thing)
@@ -69,7 +71,7 @@ class Audit(Doubts):
                 self.draft.unknown.append(f"{text} ({found.question})")
 
     def _find_each(self, thing: Mention) -> None:
-        """Say of "each basin" that no basins were named."""
+        """Take "each nightstand" for as many as such a room has; where it has none, say that none was named."""
         noun = self.named_by.get(thing)
         counted = (
             noun is not None
@@ -77,6 +79,11 @@ class Audit(Doubts):
             and not noun.text.lower().startswith(("each of the", "each of my"))
         )
         if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
+            usual = (usual.count for usual in room_type(self.draft.room).usual if usual.category == thing.noun)
+            alike = [other for other in self.draft.things if other.noun == thing.noun]
+            if (count := next(usual, 0)) > 1 and alike == [thing]:
+                thing.count, thing.plural = count, True
+                return
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")
 

@@ -167,6 +167,7 @@ class Doubts(Corrections):
         """What is said of a relation to one, or to several, that its kind or number does not allow."""
         thing, anchor = bond.subject, anchors[0]
         lone = len(anchors) == 1 and self.referents.total(anchor) == 1 and not anchor.per
+        lone &= not anchor.text.lower().startswith("each ")
         if bond.each and lone and not anchor.many and len(self.referents.clan(anchor)) < _PLAIN_SIDES:
             return f"each {anchor.text} (only one named)"
         if bond.kind == "around" and not (bond.each or self._is_floor(thing) or self._are_many(bond)):

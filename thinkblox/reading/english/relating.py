@@ -40,7 +40,7 @@ class Relating(Naming):
                 self.referents.shared.update(a for a in anchors if isinstance(a, Mention))
             before = subject.count
             self._multiply(subject, meaning)
-            if before == 1 and (subject.count or 1) > 1:
+            if before == 1 and ((subject.count or 1) > 1 or (meaning.each and not negated)):
                 self._multiply_carried(subject)
             if meaning.each and not negated and any(isinstance(a, Mention) and a.many for a in anchors):
                 self._share_held(subject, anchors)
@@ -58,6 +58,8 @@ class Relating(Naming):
         if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
             kind = "next_to"
         bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+        if kind == "on" and not negated and not meaning.told:
+            bond.each |= self._lay_under(subject, anchors)
         bond.told = meaning.pointed
         if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
             self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
@@ -159,7 +161,7 @@ class Relating(Naming):
         """Whether it was said to lie on these, or for each of these: it is in front of them then."""
         said = [b for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") and not b.implied]
         carriers = [a for b in said for a in b.anchors]
-        return any(a in carriers or a in subject.per for a in anchors)
+        return any(a in carriers or (carriers and a in subject.per) for a in anchors)
 
     def _is_laid(self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...]) -> bool:
         """Lay "a plate at every seat" on the table of the seats, as many as there are seats."""
@@ -246,10 +248,25 @@ class Relating(Naming):
 
     def _multiply_carried(self, carrier: Mention) -> None:
         """Take "a sculpture on a pedestal in each corner" for one on each pedestal."""
+        at = self.draft.things.index(carrier) if carrier in self.draft.things else 0
+        before = self.draft.things[max(at - 1, 0) : at]
         for bond in self.draft.bonds:
             on = bond.kind in ("on", "inside") and bond.anchors == (carrier,) and not bond.negated
-            if on and bond.subject.count == 1 and bond.subject in self.clause.members:
+            if on and bond.subject.count == 1 and (bond.subject in self.clause.members or before == [bond.subject]):
                 bond.each = True
+
+    def _lay_under(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
+        """Lay the coaster of "on each table a glass on a coaster" where the glass was to be; whether each has one."""
+        below = anchors[0] if len(anchors) == 1 else None
+        new = isinstance(below, Mention) and below.count == 1 and is_small(below) and not self.draft.bonds_of(below)
+        lying = [b for b in self.draft.bonds_of(subject) if b.kind == "on" and not (b.negated or b.implied)]
+        if not isinstance(below, Mention) or not new or not lying or self.named_by[below].definite:
+            return False
+        each = bool(subject.per) or any(bond.each for bond in lying)
+        below.per, subject.per = subject.per, []
+        for bond in lying:
+            self.draft.hand_over(bond, below)
+        return each
 
     def _share_held(self, holder: Mention, besides: tuple[Mention | str, ...]) -> None:
         """Take the jars of "a table with jars beside each sofa" for those of each table."""

@@ -345,10 +345,11 @@ class SecondOpinion:
         return [bond for thing in things for bond in self._draft.bonds_of(thing)]
 
     def _are_related(self, subjects: Sequence[Mention], anchors: Sequence[Mention], kinds: Sequence[str] = ()) -> bool:
-        """Whether any of these stands in any relation of these kinds to any of those."""
-        for bond in (*self._bonds(subjects), *self._bonds(anchors)):
+        """Whether any of these, or what each of them lies on, stands in any relation of these kinds to any of those."""
+        laid = [part for b in self._bonds(subjects) if b.kind == "on" and b.each for part in parts_of(b)]
+        for bond in (*self._bonds(subjects), *self._bonds(laid), *self._bonds(anchors)):
             ends = {bond.subject, *parts_of(bond), *bond.subject.per}
-            if (not kinds or bond.kind in kinds) and ends & set(subjects) and ends & set(anchors):
+            if (not kinds or bond.kind in kinds) and ends & {*subjects, *laid} and ends & set(anchors):
                 return True
         return False
 

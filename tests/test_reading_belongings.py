@@ -1,0 +1,101 @@
+"""What each of several lies on, what is a thing's own, what is in front of what has it, and what comes next."""
+
+import pytest
+
+from tests.test_reading_turns import related
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A table with six chairs and a glass on a coaster in front of each chair.",
+            "6 glass on coaster each, 6 coaster on dining_table",
+        ),
+        (
+            "A table with six chairs. In front of each chair there is a glass on a coaster.",
+            "6 glass on coaster each, 6 coaster on dining_table",
+        ),
+        ("Three desks. On each desk stands a lamp on a book.", "3 book on desk each, 3 table_lamp on book each"),
+        ("Three desks, a monitor on a box on each desk.", "3 monitor on box each, 3 box on desk each"),
+        (
+            "Two armchairs, each with a lamp on a side table next to it.",
+            "2 table_lamp on side_table each, 2 side_table next_to armchair each",
+        ),
+        (
+            "Two sofas, a vase on a side table beside each.",
+            "2 vase on side_table each, 2 side_table next_to sofa each",
+        ),
+        ("A sofa with a lamp on a side table next to it.", "1 table_lamp on side_table, 1 side_table next_to sofa"),
+    ],
+)
+def test_what_each_of_several_lies_on_is_as_many(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    shared = {f"{b.subject} {b.kind} {b.anchors[0]}" for b in brief.relations if b.each}
+    told = set(relations.split(", "))
+    assert {one.removesuffix(" each") for one in told} <= related(brief)
+    assert {one.partition(" ")[2].removesuffix(" each") for one in told if one.endswith(" each")} <= shared
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A piano, its bench and a lamp.", "1 bench at piano"),
+        ("A desk, its chair and a lamp.", "1 chair at desk, 1 desk_lamp on desk"),
+        ("A bed, its two nightstands and a wardrobe.", "2 nightstand next_to bed"),
+        (
+            "A round table and its four chairs stand in the centre.",
+            "4 chair around dining_table, 1 dining_table in_centre centre",
+        ),
+        ("A computer and its monitor on the desk.", "1 computer on desk, 1 monitor on desk"),
+        ("A bunk bed with its ladder facing the window.", "1 bunk_bed facing window"),
+    ],
+)
+def test_what_is_a_things_own_is_with_it(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()
+
+
+def test_a_ladder_of_a_bed_is_no_thing_and_its_side_is_not_understood() -> None:
+    brief = read_brief("A bunk bed, its ladder on the left side, and a desk.")
+    assert {r.category for r in brief.requests} == {"bunk_bed", "desk"}
+    assert brief.unknown == ("its ladder on the left side",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A desk with a chair in front and a bookcase behind.", "1 chair in_front_of desk, 1 bookcase behind desk"),
+        ("A sofa with a rug in front.", "1 rug in_front_of sofa"),
+        ("A counter has three stools in front.", "3 bar_stool in_front_of counter"),
+        ("A room with a sofa in front.", "1 sofa against_wall near_wall"),
+    ],
+)
+def test_what_a_thing_has_in_front_is_at_no_side_of_the_room(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()
+
+
+def test_what_comes_next_is_in_no_list() -> None:
+    ordered = "A sofa by the window with a lamp at each end, then a television on the opposite wall."
+    assert "1 wall_tv next_to sofa" not in related(read_brief(ordered))
+    along = "Along the left wall stand a wardrobe, then a desk."
+    assert "1 desk next_to wardrobe" in related(read_brief(along))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "count"),
+    [("A bedroom with a queen bed. Each nightstand has a lamp.", 2), ("A kitchen: each chair has a cushion.", 4)],
+)
+def test_each_of_what_such_a_room_has_are_as_many_as_it_has(prompt: str, count: int) -> None:
+    brief = read_brief(prompt)
+    assert {r.count for r in brief.requests if r.category in ("nightstand", "table_lamp", "chair", "pillow")} == {count}
+    assert brief.unknown == ()
+
+
+def test_each_of_what_nobody_named_is_told_once() -> None:
+    assert read_brief("A living room with a sofa. A lamp on each side table.").unknown == (
+        "each side table (none named)",
+    )
