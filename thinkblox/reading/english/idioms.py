@@ -103,12 +103,9 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
             yield replace(tokens[at + 1], text=adults, shown=f"{tokens[at].shown}-{tokens[at + 1].shown}")
             at += 1
         elif len(words) == len(_BY) and words[0] == words[2] and words[0].endswith("s") and words[1] in _AGAIN:
-            shown = f"{tokens[at].shown} {tokens[at + 1].shown}"
-            if tokens[at + 3 : at + 4] and tokens[at + 3].text == "of" and grammar().at(tokens, at + 2, "vague"):
-                yield replace(tokens[at + 2], shown=f"{shown} {tokens[at + 2].shown}", start=tokens[at].start)
-                at += 1
-            else:
-                yield replace(tokens[at], text="many", shown=shown)
+            of = bool(tokens[at + 3 : at + 4]) and tokens[at + 3].text == "of"
+            yield replace(tokens[at], text="really")
+            yield replace(tokens[at + 1], text="really" if of and grammar().at(tokens, at + 2, "vague") else "many")
             at += 1
         elif words[:1] == ["glasses"] and not drinks and [t.text for t in tokens[at - 2 : at]] in _PAIRS_OF:
             yield replace(tokens[at], text="eyeglasses")
