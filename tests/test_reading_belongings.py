@@ -99,3 +99,57 @@ def test_each_of_what_nobody_named_is_told_once() -> None:
     assert read_brief("A living room with a sofa. A lamp on each side table.").unknown == (
         "each side table (none named)",
     )
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "told"),
+    [
+        ("A sofa facing the TV three metres away.", "sofa, tv", "three metres"),
+        ("A sofa three metres away from the TV.", "sofa, tv", "three metres away from"),
+        ("A bed two metres from the door.", "bed", "two metres from"),
+        ("A table two metres long.", "dining_table", ""),
+        ("A shelf one and a half metres above the desk.", "desk, wall_shelf", "1.5 metres"),
+    ],
+)
+def test_a_length_in_words_ends_the_name_before_it(prompt: str, things: str, told: str) -> None:
+    brief = read_brief(prompt)
+    assert sorted(r.category for r in brief.requests if r.asked) == things.split(", ")
+    assert brief.unknown == ((told,) if told else ())
+
+
+def test_so_many_and_half_are_one_number() -> None:
+    brief = read_brief("A bedroom of four and a half by five metres.")
+    assert (brief.width, brief.depth) == (4.5, 5.0)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("Two beds along the right wall, a window between them, and a desk.", "2 bed against_wall right_wall"),
+        ("Two armchairs with a window between them and a plant in the corner.", "1 plant in_corner corner"),
+    ],
+)
+def test_a_window_between_things_puts_nothing_else_there(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert related(brief) == set(relations.split(", "))
+    assert brief.unknown == ("between them",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A table with a chair tucked under it.", "1 chair at dining_table"),
+        ("Two sofas in the middle, backs to each other.", "2 sofa in_centre centre, 2 sofa back_to_back sofa"),
+        ("Two beds, their heads against the left wall, and a rug.", "2 bed against_wall left_wall"),
+        ("Two rows of three desks, backs to the window.", "6 desk in_rows, 6 desk facing_away window"),
+    ],
+)
+def test_how_things_are_turned_is_said_without_a_verb(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt)
+    assert related(brief) == set(relations.split(", "))
+    assert brief.unknown == ()
+
+
+def test_nothing_is_assumed_where_the_prompt_has_something_else() -> None:
+    brief = read_brief("A game room with a foosball table in the middle.")
+    assert "pool_table" not in {r.category for r in brief.requests}

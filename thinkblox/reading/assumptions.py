@@ -384,7 +384,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
         there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
         there |= any(t.asked and varieties().stands_for(usual.category, t.noun) for t in draft.things)
-        if there or usual.category in unlikely or _have_places(draft, usual.category):
+        if there or usual.category in unlikely or _have_places(draft, usual.category) or _is_crowded_out(draft, usual):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
@@ -420,6 +420,15 @@ def _called(thing: Mention) -> list[str]:
     """What a thing is called besides what it is made as: a sofa bed is a bed."""
     words = thing.text.lower().split()[-1:] if thing.asked else []
     return [word for word in words if word in things() and not thing.noun.endswith(word)]
+
+
+def _is_crowded_out(draft: Draft, usual: Usual) -> bool:
+    """Whether it would stand in the centre, where the prompt has something else stand."""
+    habits = load_habits()
+    if not any(anchor == "centre" for _, anchor, _ in usual.relations) or habits.is_in(usual.category, "covers"):
+        return False
+    centred = (b.subject for b in draft.bonds if b.asked and not b.negated and b.anchors == ("centre",))
+    return any(kind_of(t.noun).mount == "floor" and not habits.is_in(t.noun, "covers") for t in centred)
 
 
 def _part_off(draft: Draft) -> None:

@@ -77,7 +77,8 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
             return bond
         return Bond("under", anchor, (bond.subject,), each=bond.each)
     if bond.kind in ("against_wall", "under") and usual in ("at", "around"):
-        bond.kind = bond.kind if _slides_under(bond, anchor) else usual
+        at = usual if bond.subject.many or bond.each else "at"
+        bond.kind = bond.kind if _slides_under(bond, anchor) else at
     elif bond.kind == "against_wall":
         bond.kind = "next_to"
     elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces"):

@@ -56,6 +56,13 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 """Abbreviations whose points end no sentence."""
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
+_AND_HALF = re.compile(
+    r"\b(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half"
+    r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)",
+    re.IGNORECASE,
+)
+"""So many and half of a unit of length."""
+_TO_TEN = ("", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 _ONE = re.compile(
     r"\ban?(?= (?:met(?:re|er)|foot|yard) (?:away|apart|from|in front|behind|above|below|off)\b)", re.IGNORECASE
 )
@@ -106,6 +113,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
+    text = _AND_HALF.sub(lambda match: _and_half(match[1].lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(_spelt_out(lexicon.tokens(text))))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
@@ -199,6 +207,11 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
         word = "without" if without else "with"
         yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
         at += length
+
+
+def _and_half(number: str) -> str:
+    """The number of "one and a half", in digits."""
+    return f"{_TO_TEN.index(number) if number in _TO_TEN else int(number)}.5"
 
 
 def _within(said: re.Match[str]) -> str:

@@ -66,7 +66,7 @@ class Account:
 
     def text(self, start: int, end: int) -> str:
         """The tokens from `start` to before `end` as they were written."""
-        return " ".join(token.shown for token in self._tokens[start:end])
+        return " ".join(token.shown for token in self._tokens[start:end] if token.shown)
 
     def all_words(self) -> list[str]:
         """All tokens as they were written, marks among them."""

@@ -13,6 +13,9 @@ _ENDS = ("back", "front", "rear", "far")
 _CORRECTING = ("hmm", "hm", "no", "actually", "well", "maybe", "perhaps", "but", "though")
 """What may come before a number that is put right."""
 _ANYWHERE = ["all", "over", "the", "place"]
+_OF_THEM = ("their", "its")
+_TURNED = ("heads", "backs", "headboards", "headboard")
+_TOWARD = ("to", "against", "toward", "towards")
 _AGAIN = ("and", "&", "upon")
 """What joins a noun to itself: "crates and crates"."""
 _BY = ("x", "by", "and")
@@ -93,6 +96,9 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
         if words[0] == "per" and words[1:2] and words[1] in _ENDS and words[2:] == ["corner"]:
             yield replace(tokens[at], text="in")
             yield replace(tokens[at], text="each", shown="", start=tokens[at].start + len(tokens[at].shown))
+        elif words[0] == "," and (turned := _turned_ends(tokens, at + 1)):
+            yield from (tokens[at], *turned)
+            at += 1 + (tokens[at + 1].text in _OF_THEM)
         elif words[0] == "overhead" and words[1:] and words[1] in grammar().lists["overhead"]:
             yield replace(tokens[at], text="hanging")
         elif words[:2] == ["a", "bit"] and words[2:] and words[2] != "of" and tokens[at + 2].kind == "word":
@@ -112,6 +118,20 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
         else:
             yield tokens[at]
         at += 1
+
+
+def _turned_ends(tokens: Sequence[Token], at: int) -> list[Token]:
+    """Read ", heads to the wall" as ", with their heads to the wall"; empty where it does not come."""
+    owned = at < len(tokens) and tokens[at].text in _OF_THEM
+    ends, toward = (*(t.text for t in tokens[at + owned : at + owned + 2]), "", "")[:2]
+    if ends not in _TURNED or toward not in _TOWARD:
+        return []
+    their = tokens[at] if owned else replace(tokens[at], text="their", shown="")
+    return [
+        replace(tokens[at], text="with", shown=""),
+        their,
+        replace(tokens[at + owned], text="backs" if ends == "backs" else "head"),
+    ]
 
 
 def _hyphened(tokens: list[Token]) -> list[Token]:

@@ -42,8 +42,7 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif _is_tucked(chunks, at):
             made.append(Adjective(chunk.start, chunks[at + 1].end, _TUCKED, states=[_TUCKED]))
             at += 1
-        elif _is_left_out(chunks, at) or _is_missing(chunks, at):
-            length = 2 if _is_left_out(chunks, at) else 3
+        elif length := _not_understood(chunks, at):
             words = " ".join(getattr(c, "text", "") for c in chunks[at : at + length])
             made.append(Stray(chunk.start, chunks[at + length - 1].end, words))
             at += length - 1
@@ -95,6 +94,22 @@ def _is_left_out(chunks: Sequence[Chunk], at: int) -> bool:
     if not isinstance(said, Adjective) or not said.states or not is_link(chunks[at], "prepositions", "except"):
         return False
     return isinstance(one, Noun) and one.kind == "number" and bool(one.unshown)
+
+
+def _not_understood(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks say what is not understood; 0 where none do."""
+    if _is_left_out(chunks, at) or _is_of_opening(chunks, at):
+        return 2
+    return 3 if _is_missing(chunks, at) else 0
+
+
+def _is_of_opening(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "between them" is said of a window or door, which is where the room has it."""
+    opening, them = (chunks[at - 1] if at else None), (chunks[at + 1] if at + 1 < len(chunks) else None)
+    new = isinstance(opening, Noun) and opening.kind == "place" and opening.value.split()[0] in ("window", "door")
+    new = new and isinstance(opening, Noun) and not opening.definite
+    pointed = isinstance(them, Noun) and them.kind == "pronoun"
+    return new and pointed and is_link(chunks[at], "prepositions", "between")
 
 
 def _is_missing(chunks: Sequence[Chunk], at: int) -> bool:

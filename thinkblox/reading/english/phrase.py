@@ -642,7 +642,7 @@ class PhraseReader(Heads):
         word = self.tokens[at].text
         if at < _NAMES and self._text(at + 1, at + 2) in (":", "(") and word in grammar().lists["rooms"]:
             return True
-        if grammar().at(self.tokens, at, "abstract", "people") or self._known(at, "attribute", "style"):
+        if grammar().at(self.tokens, at, "abstract", "people") or self._known(at, "attribute", "style", "count"):
             return False
         after = at + 1
         ends = after >= len(self.tokens) or self.tokens[after].kind != "word"
