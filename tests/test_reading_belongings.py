@@ -153,3 +153,42 @@ def test_how_things_are_turned_is_said_without_a_verb(prompt: str, relations: st
 def test_nothing_is_assumed_where_the_prompt_has_something_else() -> None:
     brief = read_brief("A game room with a foosball table in the middle.")
     assert "pool_table" not in {r.category for r in brief.requests}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A bed at the back wall with nightstands on both sides, a lamp on the left one and a clock on the right one.",
+            "1 table_lamp on nightstand",
+        ),
+        (
+            "A sofa along the back wall with two side tables, a lamp on the left one and a vase on the right one.",
+            "1 table_lamp on side_table, 1 vase on side_table-2",
+        ),
+        ("Shelves along the back wall and a bench along the left one.", "1 bench against_wall left_wall"),
+        ("Two tables, a shelf on the back wall and a poster on the left one.", "1 poster on left_wall"),
+    ],
+)
+def test_the_left_one_is_a_thing_where_it_carries_such_things_and_else_a_wall(prompt: str, relations: str) -> None:
+    assert set(relations.split(", ")) <= related(read_brief(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A dresser with a mirror on the south wall.", "1 mirror above dresser, 1 dresser against_wall south_wall"),
+        ("A sofa with a painting on the back wall.", "1 picture above sofa, 1 sofa against_wall far_wall"),
+        ("A desk with a clock on the left wall.", "1 clock on left_wall"),
+        ("A bed with three pictures on the left wall.", "3 picture on left_wall"),
+    ],
+)
+def test_what_hangs_over_furniture_by_nature_hangs_at_its_wall(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+
+
+def test_a_table_stands_between_things_with_its_chairs() -> None:
+    brief = read_brief(
+        "A sofa along the left wall, a bed along the right wall and a table with two chairs between them."
+    )
+    assert {"2 chair around dining_table", "1 dining_table between sofa bed"} <= related(brief)

@@ -333,7 +333,7 @@ class Meanings:
 
     def _number(self, where: Where, said: Noun, subjects: list[Mention], noun: str) -> Meaning | None:
         """Read "on the left one", "on the third", "on two of them"."""
-        if (wall := self._other_wall(where, said)) is not None:
+        if not self._lies_on_one_of(where, subjects) and (wall := self._other_wall(where, said)) is not None:
             return wall
         found = self.name.some_of(said, besides=subjects)
         if found is None:
@@ -343,6 +343,13 @@ class Meanings:
         single = bool(subjects) and subjects[-1].count == 1
         meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")
         return meaning
+
+    def _lies_on_one_of(self, where: Where, subjects: list[Mention]) -> bool:
+        """Whether something lies by nature on one of several things named before, as a lamp does on a nightstand."""
+        if not subjects or self._kind(where.word) != "on":
+            return False
+        several = (t for t in (*self.referents.plural(), *self.referents.flanking) if t not in subjects)
+        return any(load_habits().tie(subjects[-1].noun, thing.noun) == "on" for thing in several)
 
     def _other_wall(self, where: Where, said: Noun) -> Meaning | None:
         """Read "along the right one" after "along the left wall"."""

@@ -177,15 +177,17 @@ class Subjects(Having):
     def _is_rather_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "it" is neither the head nor in its list, or not said: "three crates with parcels under it"."""
         noun = where.noun
+        seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
         if noun is None:
-            seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
             return where.word in ("opposite", "behind", "between") and seated and not frame.each
         inside = any(b.kind == "inside" and b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing))
         if noun.kind == "pronoun" and inside and where.word in _BY_OWNER and not frame.each:
             return True
+        owner = head.things[-1]
+        if noun.value == "them" and where.word == "between" and seated and not (owner.many or frame.each):
+            return True
         if noun.kind != "pronoun" or frame.each or not self._is_held(thing, frame):
             return False
-        owner = head.things[-1]
         if noun.value == "them" and where.word in _BY_OWNER and len(frame.members) == 1 and not owner.many:
             them = self.referents.several([thing], where.word)
             return bool(them) and not any(is_small(t) or t is owner for t in them)
@@ -255,7 +257,13 @@ class Subjects(Having):
         hung = self.habits.is_in(thing.noun, "wallpieces", "ceiling")
         heads = frame.head.things if frame.head is not None else []
         hung &= where.word not in _STANDING or any(self.habits.is_in(t.noun, "wallpieces") for t in heads)
-        return not on_surface and not hung
+        return not on_surface and not (hung and not self._hangs_over_head(thing, heads, noun))
+
+    def _hangs_over_head(self, thing: Mention, heads: list[Mention], noun: Noun) -> bool:
+        """Whether furniture stands at a certain wall over which its own hangs: "a sofa with a picture on the left wall"."""
+        free = len(heads) == 1 and not heads[0].many and not self.draft.bonds_of(heads[0])
+        certain = noun.value.endswith("_wall") and not thing.many
+        return free and certain and self.habits.tie(thing.noun, heads[0].noun) == "above"
 
     def _goes_with_its_head(self, thing: Mention, frame: Listed) -> bool:
         """Whether each stands at what has it, or lies on it: "three tables each with two chairs by the window"."""
