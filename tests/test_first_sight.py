@@ -107,7 +107,7 @@ def test_nothing_stands_on_mats_that_people_lie_on():
     mats = placed(room, "yoga_mat")
     assert len(mats) == 3
     others = [p for p in room.scene.placements if room.scene.asset_of(p).collides and p.position[2] < 0.1]
-    assert overlap_depth(Rects.of_placements(mats), Rects.of_placements(others)).max() < 0.02
+    assert overlap_depth(Rects.of_placements(tuple(mats)), Rects.of_placements(tuple(others))).max() < 0.02
 
 
 @pytest.mark.slow
@@ -127,3 +127,46 @@ def test_a_clothes_rail_to_the_right_of_a_dressing_table_stands_beside_it():
     )
     (rail,), (table,) = placed(room, "clothes_rack"), placed(room, "dressing_table")
     assert rail.footprint.distance(table.footprint) < 0.5
+
+
+def test_all_that_is_built_in_one_line_is_along_the_wall_that_ends_its_list():
+    brief = read_brief("A small kitchen with a refrigerator, a stove, and a sink along one wall.")
+    there = {r.subject for r in brief.relations if r.asked and r.anchors == ("one_wall",)}
+    assert {"fridge", "stove"} <= there
+    assert len(there) == 3
+
+
+@pytest.mark.parametrize(
+    ("prompt", "there"),
+    [
+        ("A meeting room with a table and a screen on the wall.", {"projector_screen"}),
+        ("A kitchen with a table and a shelf on the wall.", {"wall_shelf"}),
+        ("A bar with a dartboard and a shelf on the wall.", {"dart_board", "wall_shelf"}),
+    ],
+)
+def test_only_what_hangs_is_on_a_wall(prompt, there):
+    relations = read_brief(prompt).relations
+    assert {r.subject for r in relations if r.asked and r.anchors == ("wall",)} == there
+
+
+def test_what_is_at_the_back_of_a_cinema_is_behind_who_looks_at_the_screen():
+    plan = planned("A home cinema, six recliners and a popcorn machine at the back")
+    walls = {t.category: a for t in plan.targets for tie in t.ties if tie.kind == "against_wall" for a in tie.anchors}
+    across = {
+        "north_wall": "south_wall",
+        "south_wall": "north_wall",
+        "east_wall": "west_wall",
+        "west_wall": "east_wall",
+    }
+    assert walls["projector_screen"] == across[walls["popcorn_machine"]]
+
+
+@pytest.mark.slow
+def test_two_beds_with_a_nightstand_between_them_stand_together_though_a_rug_lies_in_the_middle():
+    room = made(
+        "A children's room with two single beds and a nightstand between them. A toy chest is at the foot of one bed. "
+        "There is a round rug in the middle of the room."
+    )
+    one, other = placed(room, "bed")
+    assert turn_between(one.yaw, other.yaw) < 1.0
+    assert one.footprint.distance(other.footprint) < 1.0
