@@ -170,3 +170,10 @@ def test_two_beds_with_a_nightstand_between_them_stand_together_though_a_rug_lie
     one, other = placed(room, "bed")
     assert turn_between(one.yaw, other.yaw) < 1.0
     assert one.footprint.distance(other.footprint) < 1.0
+
+
+@pytest.mark.slow
+def test_one_sits_in_the_angle_of_a_desk_with_a_wing():
+    room = made("An office with an L-shaped desk against the wall, a computer on it and a bookcase.")
+    (desk,), (chair,) = placed(room, "corner_desk"), placed(room, "office_chair")
+    assert desk.footprint.contains(chair.footprint.centroid)
