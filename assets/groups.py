@@ -66,6 +66,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "treated_on": "who is treated sits or lies on it",
         "lain_on": "people lie on it: they get in from its sides",
         "foot_rugs": "a rug under it reaches out at its foot",
+        "lain_out": "lies on the floor for whoever lies or stands on it: nothing else stands there",
         "lounged_at": "lounge seats gather around it",
         "stands_free": "may stand away from the walls when nothing says where",
         "driven_out": "leaves the room by its gate, and so stands straight before it",

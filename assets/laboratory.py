@@ -233,11 +233,11 @@ def robot_arm(spec: Spec) -> Build:
     """Return an industrial arm with six joints and a gripper to the front."""
     x, y, z = spec.size
     paint, joint = spec.main(Finish((0.93, 0.50, 0.12), "metal")), 0.34 * y
-    shoulder, elbow, wrist = (-0.28 * x, 0.0, 0.42 * z), (-0.14 * x, 0.0, 0.86 * z), (0.34 * x, 0.0, 0.7 * z)
+    shoulder, elbow, wrist = (-0.26 * x, 0.0, 0.42 * z), (-0.34 * x, 0.0, 0.86 * z), (0.34 * x, 0.0, 0.7 * z)
     body: list[Part] = [
-        disc(IRON, (-0.28 * x, 0), min(0.22 * x, y / 2), (0, 0.05 * z)),
-        disc(paint, (-0.28 * x, 0), 0.36 * y, (0.05 * z, 0.3 * z)),
-        box(paint, around(-0.28 * x, 0.5 * y), around(0, 0.8 * y), (0.3 * z, 0.36 * z)),
+        box(IRON, (-0.5 * x, -0.08 * x), around(0, y), (0, 0.05 * z)),
+        disc(paint, (-0.26 * x, 0), 0.36 * y, (0.05 * z, 0.3 * z)),
+        box(paint, around(-0.26 * x, 0.5 * y), around(0, 0.8 * y), (0.3 * z, 0.36 * z)),
         *(
             cylinder(paint, around(p[0], joint), around(0, 0.84 * y), around(p[2], joint), axis=1)
             for p in (shoulder, elbow)

@@ -1,5 +1,6 @@
 """Chairs, stools and benches. The back is at -x; what is in front of it goes under a table."""
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, IRON
@@ -189,6 +190,11 @@ def bar_stool(spec: Spec) -> Build:
         parts += [back, box(metal, (-x / 2 + 0.015, -x / 2 + 0.035), around(0, 0.06), (seat - 0.05, seat + 0.06))]
     area = around(0.01, 2 * radius * 0.8)
     return Build(body=parts, surfaces=[top_surface("seat", area, area, seat, round=True)])
+
+
+def sauna_bench(spec: Spec) -> Build:
+    """Return a bench of bare boards."""
+    return bench(replace(spec, words=spec.words | {"wooden"}))
 
 
 def bench(spec: Spec) -> Build:

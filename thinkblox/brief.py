@@ -129,6 +129,8 @@ class Relation(CheckedValue, frozen=True, kw_only=True):
     negated: bool = False
 
 
+Look = tuple[Name, ...]
+"""What is said of all the furniture of a room at once, in the words of attributes: ("red", "leather")."""
 Fate = Literal["requested", "related", "constraint", "style", "filler", "not_understood"]
 """What became of a word of the prompt."""
 
@@ -178,6 +180,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         people: how many the room is said to be for; 0 where that is not said.
         style: adjectives about the whole ("calm", "cosy").
         surfaces: what floor and walls are to be like.
+        looks: what the furniture as a whole is to be like.
         missing: things asked for that are not made, with their count in words.
         beyond: things asked for that are more than one room is given, with their count in words.
         left_out: what goes without saying and has no room in a room of the given size, in sentences.
@@ -202,6 +205,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     relations: tuple[Relation, ...] = ()
     style: tuple[str, ...] = ()
     surfaces: tuple[SurfaceRequest, ...] = ()
+    looks: tuple[Look, ...] = ()
     missing: tuple[str, ...] = ()
     beyond: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Sequence
 from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.showing import realised
 from thinkblox.assets.states import shows_state
-from thinkblox.brief import Brief, Measures, Request
+from thinkblox.brief import Brief, Look, Measures, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_type
 from thinkblox.knowledge.things import counts_as
@@ -35,6 +35,7 @@ def demands_of(scene: Scene, plan: Plan) -> tuple[Demand, ...]:
     for request in brief.requests:
         if request.asked:
             found += _of_request(scene, request, placed_of(scene, plan, request.key))
+    found += [_of_furniture(scene, look) for look in brief.looks]
     found += [_excluded(scene, category) for category in brief.excluded]
     meant = plan.free if len(plan.free) == len(brief.free) else brief.free
     found += [_free(scene, plan, place, part) for place, part in zip(brief.free, meant, strict=True)]
@@ -131,6 +132,14 @@ def _attribute(noun: str, word: str, assets: Sequence[Asset]) -> Demand:
     says = f"{shown} of {len(assets)} show it" if len(assets) > 1 else "shown" if shown else "not shown"
     holds = bool(assets) and shown == len(assets)
     return Demand(kind="attribute", subject=noun, wanted=word, holds=holds, measured=says)
+
+
+def _of_furniture(scene: Scene, look: Look) -> Demand:
+    """Whether some of the furniture is as is said of all of it."""
+    assets = [scene.asset_of(p) for p in scene.placements]
+    shown = sum(all(realised(asset, word) for word in look) for asset in assets)
+    measured = f"{shown} of {len(assets)} show it"
+    return Demand(kind="attribute", subject="furniture", wanted=" ".join(look), holds=shown > 0, measured=measured)
 
 
 def _of_room(room: Room, brief: Brief) -> Iterator[Demand]:

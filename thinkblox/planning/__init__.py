@@ -5,6 +5,7 @@ import numpy as np
 from thinkblox.brief import Brief
 from thinkblox.plan import Plan
 from thinkblox.planning.drawn_sizes import with_sizes
+from thinkblox.planning.looks import with_looks
 from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.orders import reordered
@@ -40,6 +41,7 @@ __all__ = [
     "relieved",
     "reordered",
     "varied",
+    "with_looks",
     "with_run",
     "with_sizes",
     "with_surfaces",

@@ -140,6 +140,8 @@ def _tie_company(relation: Relation, subjects: list[Member]) -> None:
 
 def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:
     """Spread subjects evenly over the anchors, in order; a few may have them all."""
+    if not relation.asked and relation.kind == "on" and load_habits().is_in(subjects[0].category, "built_in"):
+        anchors = members.of_category(anchors[0].category)  # A hob and a sink that nobody puts there share no cabinet.
     if _shared_by_two(relation, subjects, anchors):
         for number, subject in enumerate(subjects):
             for anchor in anchors[2 * number : 2 * number + 2]:

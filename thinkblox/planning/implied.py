@@ -49,6 +49,7 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         for member in request:
             _stay_on_floor(members, member)
         _leave_walls(request)
+        _stand_before_own(members, request)
         waiting = [member for member in request if _needs_place(member)]
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
@@ -76,6 +77,23 @@ def _stand_where_rugs_lie(members: Members) -> None:
                 anchor = members.by_id.get(before[0].anchors[0])
                 if anchor is not None and not members.depends(anchor, member):
                     member.ties.append(Tie(kind=before[0].kind, anchors=before[0].anchors, asked=False))
+
+
+def _stand_before_own(members: Members, request: list[Member]) -> None:
+    """A row of seats stands before what each of them usually looks into, where one for each hangs on a wall."""
+    if {tie.kind for member in request for tie in member.ties} != {"in_rows"}:
+        return
+    habits = load_habits().of(request[0].category)
+    looked_into = [a for habit in habits if habit.kind == "in_front_of" and not habit.company for a in habit.anchors]
+    for category in looked_into:
+        own = [m for m in members.of_category(category) if m.mount == "wall" and m not in request]
+        if len(own) == len(request) and not any(members.depends(a, m) for a in own for m in request):
+            for member, anchor in zip(request, own, strict=True):
+                below = (m for m in members.all if m.mount == "floor" and not members.depends(m, member))
+                under = (m for m in below if any(t.kind == "under" and anchor.id in t.anchors for t in m.ties))
+                member.ties.insert(0, Tie(kind="in_front_of", anchors=(next(under, anchor).id,), asked=False))
+                member.ties.append(Tie(kind="facing", anchors=(anchor.id,), asked=False))
+            return
 
 
 def _together(members: Members, waiting: list[Member]) -> list[Member]:

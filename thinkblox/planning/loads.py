@@ -196,13 +196,14 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
         return None
     long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
     circle = top.round and min(top.size) > _CIRCLE * max(top.size)
-    even, small = circle or usual[0] == usual[1], max(usual[:2]) < SMALL
+    lined = kind.is_in("built_in_line")
+    even, small = not lined and (circle or usual[0] == usual[1]), max(usual[:2]) < SMALL
     furniture = kind.is_in("surfaces", "tables", "counters", "worktops")
     free = member.mount == "wall" or not (furniture or kind.is_in("seats", "seating"))
     growth = FREELY if free and (small or member.mount == "wall") else GROWTH if furniture or small else SLIGHT
+    growth = (1.0, growth[1]) if lined else growth
     factors = (sqrt(growth[0] * growth[1]),) * 2 if even else (growth if long else growth[::-1])
     rim = (usual[0] - top.size[0], usual[1] - top.size[1])
-    growth = (1.0, growth[1]) if member.mount == "wall" or kind.is_in("built_in_line") else growth
     most = [
         max(side, min(factor * whole, high) - edge)
         for side, factor, whole, high, edge in zip(top.size, factors, usual, kind.size_range[1], rim, strict=False)

@@ -7,8 +7,9 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from thinkblox.assets import kind_of
+from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief
+from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.knowledge.rooms import RoomType, room_type
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
 from thinkblox.scene.room import Opening, Room, Wall
@@ -36,6 +37,8 @@ _MANY_WINDOWS, _MAYBE_TWO = 30.0, 14.0
 """Floor from which a room has two windows, and from which it may, where the prompt does not say [m2]."""
 _TWICE = 0.35
 """How often it does."""
+_ROW = 3
+"""So many seats before what hangs on a wall need a whole one."""
 _SHIFTS = (0.0, 0.0, -0.2, 0.2)
 """How far a window is off the middle of its stretch of wall, as a share of what that leaves free."""
 _BY_WINDOWS = ("next_to", "near", "left_of", "right_of")
@@ -49,7 +52,7 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
         room,
         rng,
         kind=room_type(brief.room_type),
-        spared=_spared(brief, room),
+        spared=_spared(brief, room) | _for_row(brief, room),
         corner=_corner_distance(brief),
         beside=_beside_windows(brief),
     )
@@ -130,6 +133,7 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
         usual, panes = not type_.windowless, type_.panes
         twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
         usually = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
+        usually = 1 if _for_row(brief, room) else usually
         count = panes.count if panes and panes.count else usually
         if usual and type_.entered_at_end:
             wanted += _along_sides(room, count)
@@ -150,6 +154,18 @@ def _spared(brief: Brief, room: Room) -> frozenset[int]:
     places = {anchor for relation in brief.relations if relation.asked for anchor in relation.anchors}
     named = [place for place in places if place in ("short_wall", "long_wall", *COMPASS, *SIDES)]
     return frozenset(i for place in named for i in _walls_named(room, place))
+
+
+def _for_row(brief: Brief, room: Room) -> frozenset[int]:
+    """The longest walls, where a row of seats will stand before what hangs on one: a mirror before each."""
+    hung = {r.category: r.count for r in brief.requests if kind_of(r.category).mount == "wall"}
+    seats = [r for r in brief.requests if r.count >= _ROW and facts_of(r.category).is_in("seating")]
+    rows = (hung.get(a) == r.count for r in seats for h in load_habits().of(r.category) for a in _looked_into(h))
+    return frozenset(_by_length(room, "long_wall")) if any(rows) else frozenset()
+
+
+def _looked_into(habit: Habit) -> tuple[str, ...]:
+    return habit.anchors if habit.kind == "in_front_of" and not habit.company else ()
 
 
 def _by_length(room: Room, place: str) -> list[int]:

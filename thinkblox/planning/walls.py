@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from msgspec.structs import replace
 
+from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, Relation
 from thinkblox.scene.room import Room
 
@@ -11,6 +12,7 @@ COMPASS = ("north_wall", "east_wall", "south_wall", "west_wall")
 """Clockwise, as on a plan."""
 SIDES = ("far_wall", "right_wall", "near_wall", "left_wall")
 """Clockwise too, from the wall opposite the door."""
+_FAR, _NEAR = "far_wall", "near_wall"
 
 
 def wall_meant(name: str, room: Room) -> str:
@@ -32,6 +34,14 @@ def speaks_of_sides(brief: Brief) -> bool:
     return not named.isdisjoint(SIDES)
 
 
+def _hangs(brief: Brief, key: str) -> bool:
+    return kind_of(brief.request(key).category).mount == "wall"
+
+
+def _is_board(brief: Brief, key: str) -> bool:
+    return kind_of(brief.request(key).category).is_in("boards")
+
+
 def relations_in(brief: Brief, room: Room, chosen: Mapping[str, str]) -> Iterator[Relation]:
     """The relations of a brief in a room, those that are asked for first; a named corner is one near its walls.
 
@@ -40,7 +50,10 @@ def relations_in(brief: Brief, room: Room, chosen: Mapping[str, str]) -> Iterato
         room: where they are to hold.
         chosen: walls of the compass by the names that leave them open.
     """
+    back_taken = any(r.asked and _FAR in r.anchors and not _hangs(brief, r.subject) for r in brief.relations)
     for relation in sorted(brief.relations, key=lambda r: not r.asked):
+        if back_taken and not relation.asked and relation.kind == "against_wall" and _is_board(brief, relation.subject):
+            relation = replace(relation, anchors=(_NEAR,))  # What is at the back is behind those who look at the board.
         meant = replace(relation, anchors=tuple(wall_meant(chosen.get(a, a), room) for a in relation.anchors))
         walls = [anchor for anchor in meant.anchors if anchor in COMPASS]
         if relation.kind == "in_corner" and walls and not relation.negated:

@@ -120,6 +120,7 @@ class Draft:
     apart: bool = False
     sizes: list[Size] = field(default_factory=list)
     room_attributes: list[str] = field(default_factory=list)
+    tones: list[tuple[str, ...]] = field(default_factory=list)
     style: list[str] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
     beyond: list[str] = field(default_factory=list)

@@ -34,7 +34,7 @@ from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.moods import emphasise, read_moods
 from thinkblox.reading.own_names import own_name
-from thinkblox.reading.room_looks import surface_of_room
+from thinkblox.reading.room_looks import finish_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 from thinkblox.reading.stacks import raise_stacks
@@ -232,8 +232,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     others = [a for a in draft.room_attributes if a in _OTHER_SHAPES]
     sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
     said = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES)]
-    finished = {a: found for a in said if (found := surface_of_room(a, said)) is not None}
-    looks = [a for a in said if a not in finished]
+    finish = finish_of_room(said, draft.tones)
     return Brief(
         prompt=prompt,
         language=code,
@@ -248,10 +247,11 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
-        surfaces=_surfaces([*draft.surfaces, *finished.values()]),
+        surfaces=_surfaces([*draft.surfaces, *finish.surfaces]),
+        looks=finish.furniture,
         missing=tuple(dict.fromkeys(draft.missing)),
         beyond=tuple(dict.fromkeys(draft.beyond)),
-        unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),
+        unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *finish.unmet)), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
         free=tuple(place for place in _PLACES if place in draft.free),

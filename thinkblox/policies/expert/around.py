@@ -67,6 +67,9 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
 
     At an island one sits at its back, where the worktop stands out over the knees, rather than where one cooks.
     """
+    if not tie.asked and (angle := _in_angle(situation, anchor)) is not None:  # Asked for, it is to face the middle.
+        yield from seats(situation, anchor, angle, cost=0.0)
+        return
     sides, dear = tuple(SIDES), 0.3
     if facts_of(anchor.category).is_in("sat_around") and facts_of(anchor.category).is_in("worktops"):
         sides, dear = ("back", "left", "right", "front"), WHERE_ONE_COOKS
@@ -80,6 +83,19 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
             places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
         for order, place in enumerate(places):
             yield from seats(situation, anchor, place, cost=dear * rank + 0.2 * order)
+
+
+def _in_angle(situation: Situation, anchor: Placement) -> Place | None:
+    """The place in the angle of a desk with a wing, before the longer top; None at a desk of one top."""
+    tops = [s for s in situation.scene.asset_of(anchor).surfaces if s.headroom is None and not s.within]
+    if len(tops) != 2 or situation.scene.asset_of(anchor).front != "one":
+        return None
+    main, wing = sorted(tops, key=lambda top: -top.size[1])
+    edge = main.position[0] + main.size[0] / 2
+    if wing.position[0] < edge or wing.size[1] + situation.size[1] > main.size[1]:
+        return None
+    side = 1.0 if wing.position[1] > main.position[1] else -1.0
+    return Place((edge, main.position[1] - side * wing.size[1] / 2), 0.0)
 
 
 def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:

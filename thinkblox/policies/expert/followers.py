@@ -15,6 +15,8 @@ from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.support import ON_FLOOR
 from thinkblox.scene.zones import beside, fewest
 
+ABREAST = 0.15
+"""Left between things that stand side by side [m]."""
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
 FAR_VIEW = 1.2
@@ -33,6 +35,7 @@ FACES_LIGHT = 0.8
 """Cost of a seat from which a screen will be seen against a window across the room, where there is floor to choose."""
 _HEADS = ("lain_on", "treated_on", "seating", "clear_above")
 """Groups of things under which no shelf hangs."""
+_AT_SIDE = ("left_of", "right_of")
 BESIDE_WALL = 0.15
 """Air behind a seat that stands aside of a sofa by the wall [m]."""
 LEG_ROOM, AT_END = 0.4, 5.0
@@ -44,7 +47,7 @@ IN_USE = 4.0
 def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects) + _room_beside(situation, rects) + _against_light(situation, rects)
-    costs += _room_about_table(situation, rects)
+    costs += _room_about_table(situation, rects) + _room_for_chain(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -141,6 +144,18 @@ def _room_for_run(situation: Situation, rects: Rects) -> Array:
     return np.minimum(*(_along(situation, rects, sides, lengths) for sides in ways))
 
 
+def _room_for_chain(situation: Situation, rects: Rects) -> Array:
+    """The first of several that stand side by side leaves room for the others to its sides."""
+    chained = (tie.count - 1 for tie in situation.target.ties if tie.kind == "next_to" and not tie.anchors)
+    others = next(chained, 0)
+    if not others or situation.siblings:
+        return np.zeros(len(rects))
+    pitch = situation.size[1] + ABREAST
+    splits = [(k * pitch, (others - k) * pitch) for k in range(others + 1)]
+    ways = [_along(situation, rects, ("left", "right"), lengths) for lengths in splits]
+    return np.asarray(np.min(ways, axis=0))
+
+
 def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: tuple[float, float]) -> Array:
     """What is missing of two stretches of a run, one to each side."""
     costs = np.zeros(len(rects))
@@ -165,8 +180,11 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]
-    if pair and situation.size[2] > DARKENS and situation.facts.hanging.windows == "no":
-        dark = [(overlap_depth(zone, situation.window_zones) > 0.0).any(-1) for zone in zones]
+    beside_it = facts_of(follower.category) if tie.kind in _AT_SIDE else None
+    tall, high = (situation.facts, situation.size[2]) if pair else (beside_it, size[2])
+    if tall is not None and high > DARKENS and tall.hanging.windows == "no":
+        upright = [Rects(z.centre, z.half, z.yaw, z.bottom, z.bottom + high) for z in zones]
+        dark = [(overlap_depth(zone, situation.window_zones) > 0.0).any(-1) for zone in upright]
         missing = [cost + np.where(taken, 4.0, 0.0) for cost, taken in zip(missing, dark, strict=True)]
     return fewest(missing, wanted.number)
 
@@ -231,6 +249,9 @@ def costs_below(situation: Situation, rects: Rects) -> Array:
     costs = _wall_below_taken(situation, rects) + _hidden(situation, rects) + _over_heads(situation, rects)
     costs += _behind_seats(situation, rects)
     for follower in situation.followers:
+        before = next((t for t in follower.ties if t.kind == "in_front_of" and situation.target.id in t.anchors), None)
+        if before is not None and before.index == 0:
+            costs += _room_for(situation, rects, follower, before)
         if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
             depth, width, height = situation.kind(follower).size
             out = depth / 2 - rects.half[:, 0] + 0.02

@@ -215,17 +215,27 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
         yield _dearer(idea, 0.0 if free else AMID_INSTEAD if walled else AMID)
 
 
+def _strewn(situation: Situation) -> Iterator[Idea]:
+    """Small things on the floor lie about where people walk and sit, rather than along the walls."""
+    for idea in open_floor.grid(situation):
+        yield replace(idea, cost=0.0)
+    for idea in walls.along_walls(situation):
+        yield _dearer(idea, AMID)
+
+
 def _any_surface(situation: Situation) -> Iterator[Idea]:
-    """On whatever furniture no other thing is still to come onto."""
+    """On whatever furniture no other thing is still to come onto; what is asked for, there rather than on the floor."""
     later = [t for t in situation.observation.plan.targets if t.id not in situation.scene and t != situation.target]
     promised = {a for t in later for tie in t.ties if carries(tie) for a in tie.anchors}
     for anchor in situation.solid:
-        if anchor.id in promised or situation.scene.asset_of(anchor).mount == "surface":
+        meant = anchor.id in promised
+        if (meant and not situation.target.asked) or situation.scene.asset_of(anchor).mount == "surface":
             continue
         if situation.facts.is_in("built_in") and not facts_of(anchor.category).is_in("takes_built_in"):
             continue
         if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
-            yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
+            for idea in surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,))):
+                yield _dearer(idea, ELSEWHERE / 4 if meant else 0.0)
     if situation.target.asked or not situation.facts.is_in("built_in"):
         for idea in anywhere(situation):
             yield _dearer(idea, ELSEWHERE / 2)
@@ -270,7 +280,7 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
     if not situation.asset.collides or place == "centre":
         return open_floor.grid(situation, step=0.1)
     if place == "floor":
-        return anywhere(situation)
+        return _strewn(situation) if situation.asset.mount == "surface" else anywhere(situation)
     if tie.kind == "opposite" and place in ("window", "door"):
         return walls.across_from(situation, place)
     if tie.kind in _TURNED:

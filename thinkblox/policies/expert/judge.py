@@ -38,8 +38,10 @@ MISSED_BY, FAR_OFF = 0.4, 3.0
 """Cost per metre by which it misses what it is to be close by, and the most of it."""
 SWING, IN_SWING = 0.5, 8.0
 """Free floor all round what hangs among people [m], and the cost per metre of what is in it."""
-STOOD_ON = 8.0
-"""Cost per metre by which furniture stands on a rug that is a place of its own."""
+STOOD_ON, STOOD_PARTLY_ON = 8.0, 3.0
+"""Cost per metre by which furniture stands on a rug that is a place of its own, and on one that is there for looks."""
+ON_ANOTHER = (6.0, 30.0)
+"""Cost per metre by which a rug lies on another, and a mat for people to lie on."""
 HALF_UNDER, OFF_TABLE = 3.0, 1.5
 """Cost of a rug of which only a part is under a table, and per metre from its middle to that of one on it."""
 DENIED, KEPT_FREE = 14.0, 16.0
@@ -147,7 +149,10 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     out = outside(rects, situation.room.polygon)
     costs = np.where(out > 0.0005, HOPELESS + 50.0 * out, 0.0)
     if not situation.asset.collides:
-        return costs + 6.0 * _other_rugs(situation, rects) + _stood_on(situation, rects) + _half_under(situation, rects)
+        apart = ON_ANOTHER[situation.facts.is_in("lain_out")]
+        return (
+            costs + apart * _other_rugs(situation, rects) + _stood_on(situation, rects) + _half_under(situation, rects)
+        )
     costs += np.where(overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > TOUCH, KEPT_FREE, 0.0)
     worst = depth_in_others(situation, ideas, rects)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
@@ -187,10 +192,18 @@ def _except_ignored(depth: Array, ideas: Sequence[Idea], others: Sequence[Placem
 
 
 def _stood_on(situation: Situation, rects: Rects) -> Array:
-    """What it costs that something stands on what lies in a corner, to be used as it is."""
-    if not any(tie.kind == "in_corner" for tie in situation.target.ties):
+    """What it costs that something stands on what lies in a corner or for people to lie on, to be used as it is.
+
+    A rug that nobody asked for, and that is for nothing that stands, is better off where it is clear of all.
+    """
+    ties = situation.target.ties
+    used = situation.facts.is_in("lain_out") or any(tie.kind == "in_corner" for tie in ties)
+    loose = not situation.target.asked and not any(tie.kind == "under" for tie in ties)
+    if not (used or loose):
         return np.zeros(len(rects))
-    return np.asarray(STOOD_ON * overlap_depth(rects, situation.solids).max(-1, initial=0.0))
+    return np.asarray(
+        (STOOD_ON if used else STOOD_PARTLY_ON) * overlap_depth(rects, situation.solids).max(-1, initial=0.0)
+    )
 
 
 def _half_under(situation: Situation, rects: Rects) -> Array:

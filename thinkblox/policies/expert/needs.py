@@ -69,7 +69,9 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case "in_front_of" | "at_foot_of":
             received = anchor.gaze == "back" and own.is_in("visits")
-            return _before(tie, size, received=received, beyond=BEYOND_LOW if own.is_in("low_tables") else BEYOND)
+            beyond = BEYOND_LOW if own.is_in("low_tables") else BEYOND
+            abreast = tie.count if own.is_in("lain_out") else 1
+            return _before(tie, (depth, width * abreast, size[2]), received=received, beyond=beyond)
         case "behind" | "back_to_back":
             return _behind(tie, size, worker=tie.kind == "behind" and backs_worker(own, anchor))
         case "facing" if anchor.gaze == "back":

@@ -21,9 +21,9 @@ NOWHERE = 4.0
 
 
 def sight_costs(situation: Situation, rects: Rects) -> Array:
-    """What each box has against it as a seat from which something is to be seen across the room."""
+    """What each box has against it as a seat from which something is to be seen across the room, or as that."""
     if not is_lounge(situation.target.category):
-        return np.zeros(len(rects))
+        return _behind_backs(situation, rects)
     later = [t for t in situation.followers if comes_across(situation, t, mounts=("floor", "wall"))]
     costs = _turned_from_view(situation, rects) + _off_axis(situation, rects)
     return costs + _no_place_across(situation, rects, later[0]) if later else costs
@@ -43,6 +43,19 @@ def _turned_from_view(situation: Situation, rects: Rects) -> Array:
         away = np.linalg.norm(to, axis=-1)
         behind = (rects.axes[:, 0] * to).sum(-1) < BEHIND_ONE * away
         costs = np.maximum(costs, np.where(behind & (away < WATCHED_FROM), BACK_TO_VIEW, 0.0))
+    return costs
+
+
+def _behind_backs(situation: Situation, rects: Rects) -> Array:
+    """What it costs that what people usually look at across a room is behind those who lean back near by."""
+    costs = np.zeros(len(rects))
+    if not any(habit.startswith("opposite") for habit in situation.facts.habits):
+        return costs
+    for seat in (p for p in situation.large if is_lounge(p.category)):
+        to = rects.centre - np.array(seat.position[:2])
+        away = np.linalg.norm(to, axis=-1)
+        front = np.array([np.cos(np.radians(seat.yaw)), np.sin(np.radians(seat.yaw))])
+        costs += np.where((to @ front < BEHIND_ONE * away) & (away < WATCHED_FROM), BACK_TO_VIEW, 0.0)
     return costs
 
 

@@ -228,7 +228,7 @@ class Situation:
         seated = {a for t in later for tie in t.ties if tie.kind in about for a in tie.anchors}
         rows = []
         for t in later:
-            if any(_is_amid(tie) and (tie.asked or t.id in seated) for tie in t.ties):
+            if not kind_of(t.category).flat and any(_is_amid(tie) and (tie.asked or t.id in seated) for tie in t.ties):
                 side = max(self.kind(t).size[:2]) + 0.9
                 rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
         loose = [t for t in later if t.id in seated and not any(map(_is_amid, t.ties))]

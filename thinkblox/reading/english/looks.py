@@ -41,7 +41,9 @@ class Descriptions(Rooms):
         if node is None or not node.things:
             if not self.draft.things:
                 looks = self._looks_of(said, denied=self.negating)
-                self.draft.room_attributes += self.draft.shape_room(self.draft.room, looks)
+                looks = self.draft.shape_room(self.draft.room, looks)
+                self.draft.room_attributes += looks
+                self.draft.tones.append(tuple(looks))
             elif said.attributes:
                 self.account.mark(said.start, said.end, "style")
             return

@@ -7,7 +7,7 @@ from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
-from thinkblox.knowledge.rooms import kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, kinds_of_room, room_type
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.counted_rooms import parts_counted
@@ -38,6 +38,7 @@ _OTHER_SIZE = {"large": "small", "small": "large"}
 _WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat", "living_room", "dining_room")
 """Rooms to live in, where a kitchen is a part of what stands there."""
 _OPPOSITE = "opposite"
+_HALL = "hallway"
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
 
@@ -109,6 +110,8 @@ class Rooms(Memberships):
         whole = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
         if whole is not None and whole.kind == "room" and noun.text.lower().split()[-2:-1] in _SIDE_ROOMS:
             return whole.value
+        if whole is not None and whole.kind == "room" and self._is_main_hall(noun, whole.value):
+            return whole.value
         words = whole.text.lower().replace("'s", "").split() if whole is not None else []
         for word in reversed(words):
             known = load(ENGLISH)
@@ -118,6 +121,13 @@ class Rooms(Memberships):
             if room is not None and noun.value in kinds_of_room(room.value):
                 return room.value
         return ""
+
+    def _is_main_hall(self, noun: Noun, whole: str) -> bool:
+        """Whether a hall is where what its building is for is done: a museum's, a library's; no hall to come in by."""
+        words = noun.text.lower().split()
+        named = load(ENGLISH).longest(load(ENGLISH).tokens(" ".join(words[-2:])), 0).length == len(words[-2:]) > 1
+        lived_in = any(self.habits.is_in(usual.category, "beds") for usual in room_type(whole).expected)
+        return noun.value == _HALL and words[-1] == "hall" and whole != UNKNOWN_ROOM and not named and not lived_in
 
     def _pass_whole(self) -> None:
         """Go past what a room belongs to, which is no thing in it: "the kitchen of a food truck", "at a law firm"."""

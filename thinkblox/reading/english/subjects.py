@@ -5,6 +5,7 @@ from itertools import takewhile
 
 from thinkblox.assets import kind_of
 from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
+from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -29,6 +30,8 @@ _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
 """Relations that are rather about what has a thing than about the thing."""
+_STOOD = ("storage", "tables", "desks", "counters", "worktops", "seats", "lounges", "beds")
+"""Groups of what stands, though some of it could be fixed to a wall."""
 _STANDING = ("along", "against")
 """Prepositions before a wall that say where things stand rather than hang."""
 _SHARED = (
@@ -71,6 +74,8 @@ class Subjects(Having):
             if len(every) > 1 and not rows:
                 return Node(list(dict.fromkeys(every)), self.clause)
         inner = nodes[0]
+        if len(run := self._run_to(inner.things[-1], where)) > 1:
+            return Node(run, self.clause)
         if (alike := self._told_apart_by_looks(inner)) is not None:
             return alike
         if inner.frame is None:
@@ -81,6 +86,15 @@ class Subjects(Having):
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
+
+    def _run_to(self, last: Mention, where: Where) -> list[Mention]:
+        """All of "a fridge, a stove and a sink along one wall", which are built in one line."""
+        wall = where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value
+        if not wall or where.word not in _STANDING:
+            return []
+        named = (t for t in self.clause.members if self.habits.is_in(t.noun, "built_in_line", "built_in"))
+        run = [t for t in named if t in self.draft.things and all(b.implied for b in self.draft.bonds_of(t))]
+        return run if last in run else []
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
         """All of "two armchairs, one green and one blue, facing it", "two boxes, one on the other, by the door"."""
@@ -421,14 +435,15 @@ class Subjects(Having):
         )
         lies = kind in ("on_top", "inside") or (kind == "at" and where.noun is not None and where.noun.each)
         group = _JOINED.get("on" if lies else kind)
-        any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
+        hung = where.word == "on" and kind == "against_wall" and _hangs(thing.noun)
+        any_kind = kind == "against_wall" and not hung and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
         any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
         corner = where.noun is not None and where.noun.value.startswith("corner")
         if (group is None or any_kind or corner) and (pair := self._pair(node, frame, where)) is not None:
             return pair
-        if group is None or not (any_kind or self._belongs(thing.noun, group)):
+        if group is None or not (any_kind or hung or self._belongs(thing.noun, group)):
             return node
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
         leaning = self._is_leaning()
@@ -471,7 +486,7 @@ class Subjects(Having):
     def _may_hang_there(self, thing: Mention, where: Where) -> bool:
         """Whether it can hang where it is said to be: a standing mirror "on the walls"."""
         place = where.noun.value if where.noun is not None and where.noun.kind == "place" else ""
-        hangs = where.word == "on" and "wall" in place and not self.habits.is_in(thing.noun, "storage")
+        hangs = where.word == "on" and "wall" in place and not self.habits.is_in(thing.noun, *_STOOD)
         return hangs and mount_of(kind_of(thing.noun), (WALL_MOUNTED,)) == "wall"
 
     def _taken(self, frame: Listed, thing: Mention) -> list[Mention]:
@@ -678,3 +693,9 @@ def _may_lie(thing: Mention) -> bool:
     """Whether it is nothing but a slim thing, which lies where others do: a paddle, a cue."""
     kind = kind_of(thing.noun)
     return kind.plain and sorted(kind.size)[1] <= _SLIM
+
+
+def _hangs(noun: str) -> bool:
+    """Whether a thing hangs where it is said to be on a wall, by itself or as what its name means there."""
+    there = (sense.category for sense in senses_of(noun) if any("_wall" in said for said in sense.conditions))
+    return any(kind_of(category).mount == "wall" for category in (noun, *there))
