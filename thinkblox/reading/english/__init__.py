@@ -79,6 +79,12 @@ _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
 )
 """What others say for "in front of"."""
+_TO_CEILING = re.compile(
+    r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
+    r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
+    re.IGNORECASE,
+)
+"""What is as tall as its room."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -101,6 +107,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
+    text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
@@ -193,6 +200,12 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
         word = "without" if without else "with"
         yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
         at += length
+
+
+def _full_height(said: re.Match[str]) -> str:
+    """The look of what reaches up to the ceiling, with a verb where the text has one."""
+    verb = "" if not said[1] or said[2] == "ing" else "is " if said[2] else "are "
+    return f"{verb}full-height"
 
 
 def _within(said: re.Match[str]) -> str:
