@@ -22,9 +22,9 @@ _FRONTS = 20
 """Most relations that wait for their subject."""
 _AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
 """Prepositions before a pronoun for what the clause before was about."""
-_FACED = ("facing", "opposite", "around")
+_FACED = ("facing", "opposite", "around", "on", "on_top", "in")
 """Relations that all of several have to a single thing."""
-_SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind")
+_SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind", "at")
 """Relations that two have to a single thing."""
 _COLOURS = {"colour", "color"}
 """What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
@@ -589,7 +589,8 @@ class Positions(Subjects):
         if not isinstance(said, Noun):
             return False
         both = said.det == "both" or (said.value == "them" and said.text.lower().startswith("both"))
-        return (said.value == "all" or both) and where.word in (_FACED if said.value == "all" else _SHARED_BY_BOTH)
+        tables = where.word == "at" and where.noun is not None and self.habits.is_in(where.noun.value, "tables")
+        return (both and where.word in _SHARED_BY_BOTH) or (said.value == "all" and (tables or where.word in _FACED))
 
     def _is_elsewhere_named(self, subjects: list[Mention]) -> bool:
         """Whether the words since the last mark name things that have nothing to do with the subjects."""
