@@ -196,7 +196,13 @@ class Having(Groups):
         part = noun.word in grammar().lists["features"]
         part = part or self._is_bowl_of(noun, thing) or self._is_seat_of(noun, thing)
         called = name_of(noun.text.lower().split()) if part and noun.named else None
-        return part and not (self.each or own or (called is not None and called.length > 1))
+        named = called is not None and called.length > 1
+        return part and not (self.each or own or named or self._is_in_each(noun))
+
+    def _is_in_each(self, noun: Noun) -> bool:
+        """Whether what comes is in or on each of several, and so no part: "two cages with a wheel in each"."""
+        several = self._next_noun(2) if noun is self.peek() and self._is_link(self.peek(1), "prepositions") else None
+        return several is not None and several.value == "each"
 
     def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is the sink of a vanity: what one washes at has one of its own."""

@@ -5,7 +5,7 @@ from itertools import takewhile
 
 from thinkblox.assets import kind_of
 from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
@@ -77,7 +77,8 @@ class Subjects(Having):
             return self._past_anchor(nodes, where)
         head = inner.frame.head
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
-            return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
+            holds = self._contains(head.things[-1])
+            return self._joined(head, where) if holds else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
@@ -474,7 +475,8 @@ class Subjects(Having):
             for m in frame.members
             if any(not b.implied and (b.kind, b.anchors) not in shared for b in self.draft.bonds_of(m))
         ]
-        return taken + [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+        told = [b for b in self.draft.bonds if not b.implied]
+        return taken + [m for m in frame.members if any(m in b.anchors and not _is_filled(m, b) for b in told)]
 
     def _named_with(self, node: Node) -> list[Mention]:
         """Both of "a green and a black chair", which are where the last is said to be; empty for other things."""
@@ -547,6 +549,7 @@ class Subjects(Having):
         upright = not is_small(node.things[-1]) or self.habits.is_in(node.things[-1].noun, "built_in")
         shared = where.word in (*_SHARED, "at") or (wall and upright) or self._is_one_phrase(other, node.things[-1])
         shared |= where.noun is not None and where.noun.value.startswith("corner") and self._begins_with(other)
+        shared |= where.word == "on" and where.noun is not None and self.habits.is_in(where.noun.value, "covers")
         if not alone or not shared or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun
@@ -658,6 +661,11 @@ class Subjects(Having):
 def is_raised(noun: str, attributes: Sequence[str]) -> bool:
     """Whether it is said to be of such a kind that furniture stands under it."""
     return kind_of(noun).forms.get("over", "") in attributes
+
+
+def _is_filled(thing: Mention, bond: Bond) -> bool:
+    """Whether it only says what a small thing holds, which itself may be anywhere."""
+    return is_small(thing) and bond.kind in ("inside", "on")
 
 
 def _is_thin(thing: Mention) -> bool:

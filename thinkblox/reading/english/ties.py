@@ -4,7 +4,7 @@ from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
@@ -33,7 +33,7 @@ class Ties(Relating):
         nodes = [node for node in reversed(self.frontier) if node.frame is not None]
         for node in nodes:
             frame = node.frame
-            if frame is None or frame.head is None or self._is_too_large(thing, frame, nodes):
+            if frame is None or frame.head is None or self._is_too_large(thing, frame):
                 continue
             if self._is_at_other_side(frame) or self._goes_on(frame, thing, noun):
                 frame.closing |= self.separator in ("and", "comma_and")
@@ -49,16 +49,16 @@ class Ties(Relating):
             self.clause.closing = True
         return self.clause
 
-    def _is_too_large(self, thing: Mention, frame: Listed, nodes: list[Node]) -> bool:
+    def _is_too_large(self, thing: Mention, frame: Listed) -> bool:
         """Whether it goes into no small holder that is one of several things: a laptop, listed after a mug of pens."""
         head = frame.head.thing if frame.head is not None else None
         if head is None or not is_small(head) or frame.kind not in _HELD or self._is_told_by_pronoun():
             return False
-        if self.habits.is_in(thing.noun, "covers") or not any(n.frame is not frame and _has_head(n) for n in nodes):
+        if self.habits.is_in(thing.noun, "covers"):
             return False
         inner, outer = sorted(kind_of(thing.noun).size), sorted(kind_of(head.noun).size)
         narrow = last_word(head) in grammar().lists["holders"]
-        return inner[0] > outer[0 if narrow else 1] or inner[1] > outer[2]
+        return inner[0] > outer[0 if narrow else 1] or inner[1] > outer[1 if self._contains(head) else 2]
 
     def _is_group_told(self) -> bool:
         """Whether what each of a group is was told to its end: "each a desk with a lamp and a chair, a sink"."""
@@ -478,10 +478,6 @@ class Ties(Relating):
     def _contains(self, head: Mention) -> bool:
         """Whether what a thing holds lies within it."""
         return self._has_shelves(head) or last_word(head) in grammar().lists["containers"]
-
-
-def _has_head(node: Node) -> bool:
-    return node.frame is not None and node.frame.head is not None
 
 
 def _is_whole_place(place: Noun) -> bool:

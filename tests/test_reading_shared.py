@@ -1,0 +1,122 @@
+"""What is said of all together, of all but some, or of each of several, and of nothing besides."""
+
+import pytest
+
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def told(prompt: str) -> tuple[dict[str, int], set[str]]:
+    """What is asked for, and how it stands; everything is understood."""
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    return asked(brief), related(brief)
+
+
+def asked(brief: Brief) -> dict[str, int]:
+    """How many are asked for, by key."""
+    return {r.key: r.count for r in brief.requests if r.asked}
+
+
+def related(brief: Brief) -> set[str]:
+    """The relations that are asked for, in words."""
+    return {
+        " ".join((r.subject, "not " * r.negated + r.kind, *r.anchors, *["each"] * r.each))
+        for r in brief.relations
+        if r.asked
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "The four stuffed animals are all in a basket.",
+            {"stuffed_animal": 4, "basket": 1},
+            {"stuffed_animal inside basket"},
+        ),
+        ("Two chairs, both at a desk.", {"chair": 2, "desk": 1}, {"chair at desk"}),
+        ("Six chairs, all at a table.", {"chair": 6, "dining_table": 1}, {"chair around dining_table"}),
+        ("Two lamps, each on a table.", {"table_lamp": 2, "dining_table": 2}, {"table_lamp on dining_table"}),
+    ],
+)
+def test_all_share_one_thing(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Everything but the easel stands against the walls: a daybed, a chest and two shelving units.",
+            {"daybed against_wall wall", "chest against_wall wall", "shelving_unit against_wall wall"},
+        ),
+        (
+            "A sofa, a bed and a desk with a lamp on it. Everything except the desk is against the wall.",
+            {"sofa against_wall wall", "bed against_wall wall", "desk_lamp on desk"},
+        ),
+        (
+            "There is a bed. There is a stove and a fridge. Everything is against the wall.",
+            {"bed against_wall wall", "stove against_wall wall", "fridge against_wall wall"},
+        ),
+    ],
+)
+def test_everything_but_what_is_excepted(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A cash register and a jar of treats on the counter.",
+            {"cash_register on counter", "jar on counter", "treats inside jar"},
+        ),
+        (
+            "A vase with roses, a tray with two cups and a lamp on the sideboard.",
+            {
+                "vase on sideboard",
+                "cut_flower inside vase",
+                "tray on sideboard",
+                "cup on tray",
+                "table_lamp on sideboard",
+            },
+        ),
+        ("A balance board and two dumbbells on a mat.", {"door_mat under balance_board", "dumbbell on door_mat"}),
+        (
+            "Five sacks next to the counter; two cages on a table with a wheel in each.",
+            {"sack next_to counter", "cage on dining_table", "wheel inside cage each"},
+        ),
+    ],
+)
+def test_what_is_listed_lies_together(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["up to the ceiling", "that reach to the ceiling", "going all the way up to the ceiling", "that reach the ceiling"],
+)
+def test_what_reaches_the_ceiling_hangs_from_none(words: str) -> None:
+    brief = read_brief(f"A big table and shelves {words}.")
+    looks = {r.category: r.attributes for r in brief.requests if r.asked}
+    assert looks == {"dining_table": ("large",), "shelving_unit": ("full-height",)}
+    assert not related(brief)
+
+
+def test_a_square_room_makes_no_table_square() -> None:
+    brief = read_brief("A round table in the centre of a dining room, five metres square, and six chairs around it.")
+    assert (brief.width, brief.depth) == (5.0, 5.0)
+    assert brief.request("dining_table").attributes == ("round", "for-6")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "look"),
+    [
+        ("Over the table hangs a lantern.", "hanging"),
+        ("A table against the wall. Over the table hangs a lantern.", "wall-mounted"),
+        ("A lantern hangs over the bed.", "wall-mounted"),
+    ],
+)
+def test_what_is_over_a_table_hangs_from_the_ceiling(prompt: str, look: str) -> None:
+    assert read_brief(prompt).request("lantern").attributes == (look,)
