@@ -271,7 +271,9 @@ class Having(Groups):
         if self.separator == "comma" and noun is not None and self._lies_on_it(noun):
             return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
-        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
+        last = self._before()
+        named = isinstance(last, Noun) and last.kind == "thing" and not last.definite
+        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not (covers or named):
             outer = [n for n in nodes if n.frame is not None]
             return outer[-1] if outer else nodes[-1]
         if kind in ("hold", "carry"):
