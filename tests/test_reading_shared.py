@@ -120,3 +120,73 @@ def test_a_square_room_makes_no_table_square() -> None:
 )
 def test_what_is_over_a_table_hangs_from_the_ceiling(prompt: str, look: str) -> None:
     assert read_brief(prompt).request("lantern").attributes == (look,)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        (
+            "A long table with eight place settings with a plate and a fork each.",
+            {"dining_table": 1, "plate": 8, "fork": 8},
+        ),
+        (
+            "Four place settings on the table: a plate, a fork and a knife each.",
+            {"plate": 4, "fork": 4, "knife": 4, "dining_table": 1},
+        ),
+        (
+            "An oval table with place settings for six, each with a plate and a glass.",
+            {"dining_table": 1, "plate": 6, "glass": 6},
+        ),
+        (
+            "A table is laid for six, with a plate and a glass at each setting.",
+            {"dining_table": 1, "plate": 6, "glass": 6},
+        ),
+        (
+            "The table is laid for two: a plate and a napkin at every place.",
+            {"dining_table": 1, "plate": 2, "napkin": 2},
+        ),
+        ("Two tables, each seating six. At every seat there is a glass.", {"dining_table": 2, "glass": 12}),
+        (
+            "A table for four with a vase in the middle and a plate at each place.",
+            {"dining_table": 1, "vase": 1, "plate": 4},
+        ),
+        ("A table with four chairs and a plate at each place.", {"dining_table": 1, "chair": 4, "plate": 4}),
+        ("Two benches at a table with a plate at each place.", {"bench": 2, "dining_table": 1, "plate": 2}),
+        ("A dining table that seats six. One of the chairs is red.", {"dining_table": 1, "chair": 1, "chair-2": 5}),
+    ],
+)
+def test_so_many_are_laid_as_sit_there(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A sofa stands against the wall, opposite a low TV bench with a television on it.",
+            {"sofa against_wall wall", "sofa opposite tv_stand", "tv on tv_stand"},
+        ),
+        ("A desk, next to a cabinet with a printer on it.", {"desk next_to cabinet", "printer on cabinet"}),
+        (
+            "A counter with a rack behind it; five barrels, each with two glasses and a candle on it.",
+            {"shelving_unit behind counter", "glass on barrel each", "candle on barrel each"},
+        ),
+    ],
+)
+def test_it_is_what_has_what_is_listed(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("words", "chairs"),
+    [
+        ("two chairs on each side", 8),
+        ("a chair on each side", 4),
+        ("two chairs on each of two sides", 4),
+        ("two chairs on all four sides", 8),
+        ("eight chairs on all four sides", 8),
+        ("two chairs on either side", 2),
+    ],
+)
+def test_a_square_table_has_four_sides(words: str, chairs: int) -> None:
+    assert told(f"A square table with {words}.")[0] == {"dining_table": 1, "chair": chairs}

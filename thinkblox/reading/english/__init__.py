@@ -35,6 +35,7 @@ from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.passing import with_owners, with_passing
+from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.rewording import reworded
@@ -119,6 +120,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     for rewritten in (
         with_broken_off,
         with_apposed,
+        with_place_settings,
         with_goals,
         with_tasks,
         with_rough,

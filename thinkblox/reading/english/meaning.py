@@ -37,7 +37,7 @@ _FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front",
 """Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
-_SIDES = 2
+_SIDES, _ALL_SIDES = 2, 4
 """More sides than these are all around a thing."""
 _SEVERAL = 3
 """Of so many alike "between them" does not mean between the two of them."""
@@ -381,15 +381,17 @@ class Meanings:
         """How what is at a part of a thing stands to it."""
         loose, self.guessed = self.guessed, False
         both = _are_both(said)
-        times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        four = kind == "around" and said.value == "side" and not said.count and "square" in whole.attributes
+        times = (_ALL_SIDES if four else _SIDES) if said.det == "each" or where.word == "per" else 1
         self.ended = whole if said.value == "end" else self.ended
         kind = self._long_side(kind, said, whole, subjects, noun)
         loose |= kind == "on" and said.value in ("end", *_CORNERS)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
-        if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
-            return self._around_all(said.count or 0, meaning, subjects)
+        sides = said.count or (_ALL_SIDES if said.det == "all" and said.plural else 0)
+        if said.value == "side" and sides > _SIDES and not (is_small(whole) or meaning.each):
+            return self._around_all(sides, meaning, subjects)
         if kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other"):
             kind = _at_one_side(said, whole)
             loose |= kind == "at"
@@ -431,9 +433,10 @@ class Meanings:
         return {"left_of": "in_front_of", "right_of": "behind"}.get(kind, kind)
 
     def _around_all(self, sides: int, meaning: Meaning, subjects: list[Mention]) -> Meaning:
-        """Read "benches on all four sides of the fountain": at least one at each."""
+        """Read "benches on all four sides of the fountain": one at each at least, or so many at each."""
         for subject in subjects:
-            subject.count = sides if subject.count in (None, 1) else subject.count
+            count = subject.count or 1
+            subject.count = sides * count if count < sides else count
         return Meaning("around", meaning.anchors, told=meaning.told)
 
     def _of_several(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:

@@ -62,9 +62,16 @@ class Naming(Several):
         if not counted or other or self.referents.named(noun) is not None:
             return None
         whole = self._new(replace(noun, count=None, plural=True, of_known=False, attributes=[], unshown=[]))
+        if (places := self._places_told()) and self.habits.is_in(noun.value, "seats", "chairs"):
+            whole.count = places
         part = self.referents.part(whole, noun.count or 1)
         part.attributes, part.unshown = [*noun.attributes], [*noun.unshown]
         return part
+
+    def _places_told(self) -> int:
+        """How many the tables seat of which that is told; 0 where it is of none."""
+        tables = [t for t in self.draft.things if t.seats and self.habits.is_in(t.noun, "tables")]
+        return sum(t.seats * (t.count or 1) for t in tables)
 
     def _some_told(self, noun: Noun) -> Mention | None:
         """Read "three chairs are black", where there are more of them, as some of these."""

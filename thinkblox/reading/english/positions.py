@@ -1,6 +1,7 @@
 """Where things are: prepositions with what they are to."""
 
 from dataclasses import replace
+from itertools import takewhile
 
 from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.reading.attach import bind, relation_kind
@@ -243,18 +244,44 @@ class Positions(Subjects):
 
     def _lays_places(self, where: Where) -> bool:
         """Read "a table for four, at every seat a plate", where no seats are named, as so many plates on the table."""
-        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
+        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats), None)
         place = noun is not None and noun.each and noun.word in grammar().lists["seats"] and where.word in _AT_SEATS
         begins = not self.frontier or bool(self.separator)
-        if not place or noun is None or table is None or self._seats() or not begins:
+        if not place or noun is None or table is None or self._seats():
             return False
         self._spend(noun)
+        if not begins:
+            return self._lays_at_places(where, table)
         self._begin()
-        self.clause = Listed(None, "list", times=table.seats, each=True)
+        self.clause = Listed(None, "list", times=table.seats * (table.count or 1), each=True)
         self.front = [Awaited(Where("on", None), Meaning("on", (table,), told=True))]
         self.at += self._is_link(self.peek(), "mark", "comma", "colon")
         self.laid = True
         return True
+
+    def _lays_at_places(self, where: Where, table: Mention) -> bool:
+        """Lay as many as a table seats of what was named: "a table for four with a plate and a cup at each place"."""
+        node = self._subject_of(where)
+        if node is None:
+            return False
+        members = node.frame.members[node.frame.begun :] if node.frame is not None else []
+        before = members[: members.index(node.things[-1])] if node.things[-1] in members else []
+        laid = takewhile(lambda thing: self._is_one_laid(thing, table), reversed(before))
+        things = [thing for thing in dict.fromkeys([*laid, *node.things]) if is_small(thing)]
+        for thing in things:
+            lying = [b for b in self.draft.bonds_of(thing) if b.kind == "on" and table in b.anchors]
+            each = any(b.each for b in lying)
+            thing.count = (thing.count or 1) * table.seats * (1 if each else table.count or 1)
+            self.multiplied.add(thing)
+            if not lying:
+                bind(self.draft, Bond("on", thing, (table,)))
+        self.laid |= bool(things)
+        return bool(things)
+
+    def _is_one_laid(self, thing: Mention, table: Mention) -> bool:
+        """Whether it is one thing of which nothing is told but on which table it lies."""
+        placed = all(b.kind == "on" and table in b.anchors for b in self.draft.bonds_of(thing))
+        return placed and thing.count == 1 and is_small(thing) and not self.habits.is_in(thing.noun, "plants", "lamps")
 
     def _is_side_of_top(self, where: Where) -> bool:
         """Keep in mind at which end of a desk something lies: "a lamp on the left and a phone on the right"."""

@@ -285,6 +285,12 @@ class Subjects(Having):
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
         return any(found in frame.members for found in self.referents.every(noun))
 
+    def _stands_at(self, noun: Noun, head: Node) -> bool:
+        """Whether "each chair" is one of those at what has a thing: "two benches at a table with a cup at each"."""
+        seats = noun.value == "seat" and not noun.named
+        several = self._seats() if seats else self.referents.every(noun)
+        return any(set(b.anchors) & set(head.things) for thing in several for b in self.draft.bonds_of(thing))
+
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
         held_there = held = self._is_held(thing, frame) and not frame.each
@@ -305,7 +311,8 @@ class Subjects(Having):
             return False
         if held_there and where.word == "between" and lying:
             return False
-        if noun.each and thing.owner is not None and self._is_listed(noun, frame):
+        listed = noun.each and thing.owner is not None and self._is_listed(noun, frame)
+        if listed or (noun.each and self._stands_at(noun, head)):
             return False
         beside = held_there and where.word in _BY_OWNER and not lying
         return beside or self.habits.is_in(thing.noun, "small", "seats", "lamps")
