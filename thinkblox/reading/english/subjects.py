@@ -362,11 +362,21 @@ class Subjects(Having):
         named = self.named_by.get(anchor.things[-1])
         return thing and not self.separator and named is not None and named is before
 
+    def _is_faced_there(self, anchor: Node, where: Where) -> bool:
+        """Whether a place follows where what is named for the first time and faced is: "facing the altar at the front"."""
+        place = where.noun is not None and where.noun.kind == "place"
+        before = self.chunks[self._began - 1] if self._began else None
+        if not (place or self._is_at_room_part(where)):
+            return False
+        link = self.chunks[self._began - 2] if self._began > 1 else None
+        faced = self._is_link(link, "prepositions", "facing", "opposite") or self._is_link(link, "verbs", "face")
+        return faced and before is not None and self.named_by.get(anchor.things[-1]) is before
+
     def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
         """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
         inner = nodes[0]
         subject = next((n for n in nodes if n.frame is not None), None) or self.subject
-        if subject is None:
+        if subject is None or self._is_faced_there(inner, where):
             return inner
         carries = any(
             b.kind in ("on", "inside") and inner.things[-1] in b.anchors
