@@ -363,7 +363,7 @@ class Subjects(Having):
         return thing and not self.separator and named is not None and named is before
 
     def _is_faced_there(self, anchor: Node, where: Where) -> bool:
-        """Whether a place follows where what is named for the first time and faced is: "facing the altar at the front"."""
+        """Whether a place follows where what is faced is, named for the first time: "facing the altar at the front"."""
         place = where.noun is not None and where.noun.kind == "place"
         before = self.chunks[self._began - 1] if self._began else None
         if not (place or self._is_at_room_part(where)):
