@@ -80,6 +80,12 @@ _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
 )
 """What others say for "in front of"."""
+_ONE_OTHER = re.compile(
+    r"(?<=s) (one (?:above|on top of|over|under|below|beneath|next to|beside|behind|in front of|on) "
+    r"(?:the other|another)\b)(?: (?=(?:on|in|at|against|along|by|near|over|above|opposite) (?:the|an?|my|our)\b))?",
+    re.IGNORECASE,
+)
+"""Where commas are left out around words that tell of two how one stands to the other."""
 _TO_CEILING = re.compile(
     r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
     r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
@@ -108,6 +114,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
+    text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
