@@ -190,3 +190,62 @@ def test_it_is_what_has_what_is_listed(prompt: str, relations: set[str]) -> None
 )
 def test_a_square_table_has_four_sides(words: str, chairs: int) -> None:
     assert told(f"A square table with {words}.")[0] == {"dining_table": 1, "chair": chairs}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Along the right wall, from front to back: a bookcase, a desk and a plant.",
+            {
+                "bookcase against_wall right_wall",
+                "desk against_wall right_wall",
+                "desk right_of bookcase",
+                "plant against_wall right_wall",
+                "plant right_of desk",
+            },
+        ),
+        (
+            "On the left wall stand a wardrobe and a dresser, from back to front.",
+            {"wardrobe against_wall left_wall", "dresser against_wall left_wall", "dresser right_of wardrobe"},
+        ),
+    ],
+)
+def test_in_the_order_that_is_told(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+def test_an_order_that_is_not_kept_is_told() -> None:
+    assert read_brief("A bed and a desk on the left wall. From left to right.").unknown == ("From left to right",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("Six desks facing the teacher's desk at the front.", {"desk facing desk-2", "desk-2 against_wall near_wall"}),
+        ("Ten chairs, facing the altar in the corner.", {"chair facing altar", "altar in_corner corner"}),
+        (
+            "Two shelves one above the other on the wall.",
+            {"wall_shelf above wall_shelf-2", "wall_shelf on wall", "wall_shelf-2 on wall"},
+        ),
+        ("An armchair with a footrest in front of it.", {"ottoman in_front_of armchair"}),
+        ("The bathtub stands lengthwise along the back wall.", {"bathtub against_wall far_wall"}),
+        ("A guitar stands upright in the corner.", {"guitar in_corner corner"}),
+    ],
+)
+def test_where_it_is_said_to_be(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "There are no more than five plants but at least three.",
+        "At least three plants and at most five.",
+        "At least three but no more than five plants.",
+    ],
+)
+def test_a_number_has_both_bounds(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    assert brief.request("plant").bounds == (3, 5)

@@ -128,7 +128,8 @@ class Positions(Subjects):
         if first.kind == "pronoun" or not self._is_link(self.peek(), "joins", "and"):
             return None
         second = self._next_noun(1)
-        if first.many and not (second is not None and second.definite and self._ends_after(second)):
+        many = first.many or first.rows != 0
+        if many and not (second is not None and second.definite and self._ends_after(second)):
             return None
         if second is None or second.kind not in ("thing", "place", "pronoun"):
             return None
