@@ -12,7 +12,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import SIDES, relation_at
 from thinkblox.reading.english.places import corner, opening, wall
-from thinkblox.reading.english.referents import Referents, fits, is_small
+from thinkblox.reading.english.referents import Referents, fits, is_small, last_word
 from thinkblox.reading.english.rewording import SHARES
 
 _OPENINGS = ("window", "door")
@@ -241,6 +241,8 @@ class Meanings:
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
+        if said.value == "each" and kind == "at" and subjects and is_seat(subjects[-1]):
+            plural = [t for t in (*likely, *self.referents.plural()) if t.many and _is_sat_at(t)] or plural
         anchors = two or (
             tuple(plural[:1])
             if plural and (kind != "between" or likely[:1] == plural[:1])
@@ -790,6 +792,10 @@ def _at_place(*bonds: Bond) -> bool:
 def is_seat(thing: Mention) -> bool:
     """Whether one sits on it."""
     return load_habits().is_in(thing.noun, "seats")
+
+
+def _is_sat_at(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, *_TOPS) or last_word(thing) in grammar().lists["sat_at"]
 
 
 def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
