@@ -249,3 +249,42 @@ def test_a_number_has_both_bounds(prompt: str) -> None:
     brief = read_brief(prompt)
     assert not brief.unknown
     assert brief.request("plant").bounds == (3, 5)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Six chairs around a table. The armchair stands in the corner.",
+            {"chair": 6, "dining_table": 1, "armchair": 1},
+            {"chair around dining_table", "armchair in_corner corner"},
+        ),
+        (
+            "Step 1: put the workbench under the window. Step 2: place a stool in front of the workbench.",
+            {"workbench": 1, "stool": 1},
+            {"workbench next_to window", "stool in_front_of workbench"},
+        ),
+        (
+            "sofa: against north wall, coffee table: in front of sofa, remote: on coffee table",
+            {"sofa": 1, "coffee_table": 1, "remote_control": 1},
+            {"sofa against_wall north_wall", "coffee_table in_front_of sofa", "remote_control on coffee_table"},
+        ),
+        (
+            "Six stools, two of which are red; two shelves, one above the other.",
+            {"stool": 2, "stool-2": 4, "wall_shelf": 1, "wall_shelf-2": 1},
+            {"wall_shelf above wall_shelf-2"},
+        ),
+        (
+            "Six desks, each with a cup with two pencils and a chair.",
+            {"desk": 6, "cup": 6, "pencils": 12, "chair": 6},
+            {"cup on desk each", "pencils inside cup each", "chair at desk each"},
+        ),
+        (
+            "Four tables, on each of them a basket with three apples, and two chairs at each.",
+            {"dining_table": 4, "basket": 4, "apple": 12, "chair": 8},
+            {"basket on dining_table each", "apple inside basket each", "chair around dining_table each"},
+        ),
+    ],
+)
+def test_nothing_else_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -29,6 +29,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.kept_clear import with_kept_clear
+from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.nothing_else import with_nothing_else
@@ -74,6 +75,10 @@ _IMAGINED = re.compile(
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
+_STEP = re.compile(
+    r"(?:^|(?<=[.!?;\n] ))(?:step|part|point|phase|task) (?:\d+|one|two|three|four|five|six)[:.)](?= )", re.IGNORECASE
+)
+"""The number of a statement in an enumeration."""
 _WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?= (?:against|to)\b)", re.IGNORECASE)
 """How a thing stands, told of a part of it."""
 _FROM = re.compile(
@@ -112,6 +117,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
+    text = _STEP.sub(lambda match: " " * len(match[0]), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
@@ -126,6 +132,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_keyed,
         with_apposed,
         with_place_settings,
         with_goals,
