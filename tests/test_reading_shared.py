@@ -288,3 +288,38 @@ def test_a_number_has_both_bounds(prompt: str) -> None:
 )
 def test_nothing_else_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Two shelves, one above the other, with nine bottles on each.",
+            {"wall_shelf": 1, "wall_shelf-2": 1, "bottle": 18},
+            {"wall_shelf above wall_shelf-2", "bottle on wall_shelf wall_shelf-2 each"},
+        ),
+        (
+            "Two shelves. On each stand nine bottles.",
+            {"shelving_unit": 2, "bottle": 18},
+            {"bottle on shelving_unit each"},
+        ),
+        (
+            "On the left stood three suits of armour, on the right hung three portraits.",
+            {"suit_of_armour": 3, "picture": 3},
+            {"suit_of_armour against_wall left_wall", "picture against_wall right_wall"},
+        ),
+        ("On the left wall hung two posters.", {"poster": 2}, {"poster on left_wall"}),
+        (
+            "Shelves on the left and the right wall",
+            {"wall_shelf": 1, "wall_shelf-2": 1},
+            {"wall_shelf on left_wall", "wall_shelf-2 on right_wall"},
+        ),
+    ],
+)
+def test_so_many_on_each(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_a_text_that_breaks_off_is_read() -> None:
+    brief = read_brief("Start with the piano: it's against the wall. A metronome is on it and, to the left of that, a")
+    assert asked(brief) == {"piano": 1, "metronome": 1}

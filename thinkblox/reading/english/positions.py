@@ -739,6 +739,9 @@ class Positions(Subjects):
         if self._is_link(after, "verbs", "be", "stand", "hang", "leave", "put", "have"):
             subject = self._next_noun(ahead + 1)
             return subject is not None and subject.kind == "thing"
+        if self._is_link(after, "participles", "stand", "hang"):
+            subject = self.peek(ahead + 1)
+            return isinstance(subject, Noun) and subject.kind == "thing" and not subject.definite
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None

@@ -239,7 +239,7 @@ class Referents:
         recent = [t for t in self._recent() if t not in subject]
         if lying and recent:
             on_it = (b.subject for b in self.draft.bonds if b.kind == "on" and recent[0] in b.anchors)
-            return recent[0] if is_small(recent[0]) else next((t for t in on_it if t is recent[1]), recent[0])
+            return recent[0] if is_small(recent[0]) else next((t for t in on_it if t in recent[1:2]), recent[0])
         return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
 
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:
