@@ -323,3 +323,15 @@ def test_so_many_on_each(prompt: str, things: dict[str, int], relations: set[str
 def test_a_text_that_breaks_off_is_read() -> None:
     brief = read_brief("Start with the piano: it's against the wall. A metronome is on it and, to the left of that, a")
     assert asked(brief) == {"piano": 1, "metronome": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("Two mirrors that used to be mine and a bed.", {"mirror": 2, "bed": 1}),
+        ("A table which used to be a door.", {"dining_table": 1}),
+        ("The piano that used to be here is gone. A bed.", {"bed": 1}),
+    ],
+)
+def test_what_a_thing_once_was(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things

@@ -75,10 +75,6 @@ _IMAGINED = re.compile(
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
-_STEP = re.compile(
-    r"(?:^|(?<=[.!?;\n] ))(?:step|part|point|phase|task) (?:\d+|one|two|three|four|five|six)[:.)](?= )", re.IGNORECASE
-)
-"""The number of a statement in an enumeration."""
 _WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?= (?:against|to)\b)", re.IGNORECASE)
 """How a thing stands, told of a part of it."""
 _FROM = re.compile(
@@ -117,7 +113,6 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
-    text = _STEP.sub(lambda match: " " * len(match[0]), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)

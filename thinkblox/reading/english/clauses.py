@@ -344,8 +344,12 @@ class Clauses(Audit):
             return True
         label = not noun.named or noun.word in grammar().lists["labels"]
         after = self.peek()
-        ends = 1 if isinstance(after, Noun) and after.kind == "abstract" else 0
+        numbered = isinstance(after, Noun) and after.kind == "number" and noun.word in grammar().lists["labels"]
+        ends = 1 if numbered or (isinstance(after, Noun) and after.kind == "abstract") else 0
         if not noun.det and label and noun.count is None and self._is_link(self.peek(ends), "mark", "colon"):
+            if numbered and isinstance(after, Noun):
+                self.numbers.add(after.count or 0)
+                self._go_past(after)
             return True
         if self._is_what_somebody_does(noun):
             return True

@@ -740,8 +740,8 @@ class Positions(Subjects):
             subject = self._next_noun(ahead + 1)
             return subject is not None and subject.kind == "thing"
         if self._is_link(after, "participles", "stand", "hang"):
-            subject = self.peek(ahead + 1)
-            return isinstance(subject, Noun) and subject.kind == "thing" and not subject.definite
+            said = self.peek(ahead + 1)
+            return isinstance(said, Noun) and said.kind == "thing" and not said.definite
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None

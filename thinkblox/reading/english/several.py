@@ -39,7 +39,8 @@ class Several(Boundaries):
             or next(iter(alike), None)
             or next((t for t in self.referents.plural() if t not in besides), None)
         )
-        return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
+        left = [t for t in reversed(self.referents.last_family()) if t not in besides and t in self.draft.things]
+        return found or next(iter(left), None)
 
     def _named_just_before(self) -> Mention | None:
         """The several that are told to stand one to the other: "three shelves, one above the other"."""
