@@ -335,3 +335,10 @@ def test_a_text_that_breaks_off_is_read() -> None:
 )
 def test_what_a_thing_once_was(prompt: str, things: dict[str, int]) -> None:
     assert told(prompt)[0] == things
+
+
+def test_what_was_told_of_them_stays_when_they_are_counted() -> None:
+    brief = read_brief("The chairs are white. There are four wooden chairs.")
+    assert asked(brief) == {"chair": 4}
+    assert set(brief.request("chair").attributes) == {"white", "wooden"}
+    assert told("All of the cups are on a tray. There are six cups.")[0] == {"cup": 6, "tray": 1}

@@ -37,7 +37,8 @@ class Memberships(Ties):
         self._member(thing, frame)
         self.draft.bonds += [replace(bond, subject=thing) for bond in frame.inherited]
         frame.inherited = []
-        self._push(Node([thing], frame, each=noun.each))
+        having = self._is_link(self.peek(), "verbs", "have", "hold", "carry")
+        self._push(Node([thing], frame, each=noun.each or (having and noun.plural and noun.det in ("all", "both"))))
         if before and self._comes_then(before[0]):
             bind(self.draft, Bond("next_to", thing, (before[0],)))
         if before and before[0] is not thing:
