@@ -141,7 +141,7 @@ def _settle_carriers(draft: Draft) -> None:
             if _spans(kind_of(bond.subject.noun), kind_of(anchor.noun)):
                 bond.kind, bond.subject, bond.anchors = "under", anchor, (bond.subject,)
             else:
-                _hang_over(bond.subject, draft)
+                _hang_over(bond.subject, anchor, draft)
 
 
 def _spans(kind: Category, other: Category) -> bool:
@@ -178,12 +178,23 @@ def _stands_at_walls(kind: Category) -> bool:
     return kind.mount == "floor" and kind.is_in("storage")
 
 
-def _hang_over(thing: Mention, draft: Draft) -> None:
-    """What is above furniture and on nothing hangs on the wall there, where such things can."""
+def _hang_over(thing: Mention, furniture: Mention, draft: Draft) -> None:
+    """What is above furniture and on nothing hangs on the wall there, or from the ceiling, where such things can."""
     carried = any(b.subject is thing and b.kind in ("on", "inside", "in_corner") for b in draft.bonds)
     kind = kind_of(thing.noun)
     if not carried and kind.mount in ("floor", "surface") and mount_of(kind, thing.attributes) == kind.mount:
-        thing.attributes += [WALL_MOUNTED] if mount_of(kind, (WALL_MOUNTED,)) == "wall" else []
+        amid = load_habits().is_in(furniture.noun, "amid_room") or _is_amid(furniture, draft)
+        word, mount = (HANGING, "ceiling") if amid and not _is_at_wall(furniture, draft) else (WALL_MOUNTED, "wall")
+        thing.attributes += [word] if mount_of(kind, (word,)) == mount else []
+
+
+def _is_amid(thing: Mention, draft: Draft) -> bool:
+    return any(b.kind == "in_centre" and not b.negated for b in draft.bonds_of(thing))
+
+
+def _is_at_wall(thing: Mention, draft: Draft) -> bool:
+    bonds = (b for b in draft.bonds_of(thing) if not b.negated)
+    return any(b.kind in ("against_wall", "in_corner") or "window" in b.anchors for b in bonds)
 
 
 def _prop(thing: Mention, carrier: Category) -> None:

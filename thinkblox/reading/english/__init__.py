@@ -31,17 +31,19 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.kept_clear import with_kept_clear
+from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.passing import with_owners, with_passing
+from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
-from thinkblox.reading.english.sequences import with_sequences
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
@@ -89,6 +91,18 @@ _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
 )
 """What others say for "in front of"."""
+_ONE_OTHER = re.compile(
+    r"(?<=s) (one (?:above|on top of|over|under|below|beneath|next to|beside|behind|in front of|on) "
+    r"(?:the other|another)\b)(?: (?=(?:on|in|at|against|along|by|near|over|above|opposite) (?:the|an?|my|our)\b))?",
+    re.IGNORECASE,
+)
+"""Where commas are left out around words that tell of two how one stands to the other."""
+_TO_CEILING = re.compile(
+    r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
+    r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
+    re.IGNORECASE,
+)
+"""What is as tall as its room."""
 _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
@@ -111,6 +125,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
+    text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
+    text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _AND_HALF.sub(lambda match: _and_half(match[1].lower()).ljust(len(match[0])), text)
@@ -122,8 +138,10 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
-        with_sequences,
+        with_next_things,
+        with_keyed,
         with_apposed,
+        with_place_settings,
         with_goals,
         with_tasks,
         with_rough,
@@ -212,6 +230,12 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
 def _and_half(number: str) -> str:
     """The number of "one and a half", in digits."""
     return f"{_TO_TEN.index(number) if number in _TO_TEN else int(number)}.5"
+
+
+def _full_height(said: re.Match[str]) -> str:
+    """The look of what reaches up to the ceiling, with a verb where the text has one."""
+    verb = "" if not said[1] or said[2] == "ing" else "is " if said[2] else "are "
+    return f"{verb}full-height"
 
 
 def _within(said: re.Match[str]) -> str:

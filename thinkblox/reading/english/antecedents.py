@@ -87,6 +87,8 @@ class Antecedents:
 
         That counts for it as well; where another comes near, that is noted in `unclear`. The rest as in `ranked`.
         """
+        if one and found.many and subjects and all(s.owner is found for s in subjects):
+            return found  # What each of several has is on, under or beside that one.
         by = weights()
         ranked = [
             Antecedent(c.thing, c.score + by["reader"] * (c.thing is found and not (one and c.several)))

@@ -11,12 +11,13 @@ from thinkblox.knowledge.rooms import room_type
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
 from thinkblox.reading.english.across import settle_opposite_walls
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.doubts import Doubts
 from thinkblox.reading.english.front import settle_front
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.hanging import hang_up
 from thinkblox.reading.english.second import SecondOpinion
+from thinkblox.reading.english.sequences import settle_sequences
 
 _SPELLED = 0.93
 """How alike two spellings of one name are at least."""
@@ -36,6 +37,10 @@ class Audit(Doubts):
                 self._lose(chunk.start, chunk.end)
         for thing in self.draft.things:
             self._find_each(thing)
+        for link in (c for c in self.chunks if isinstance(c, Connector) and c.sort == "sequences"):
+            if not any(link is told for told, _ in self.ordered):
+                self._lose(link.start, link.end)
+        settle_sequences(self.draft, [bond for _, bond in self.ordered])
         self._allow_asked()
         settle_opposite_walls(self.draft)
         hang_up(self.draft, self.cut, self.meant)

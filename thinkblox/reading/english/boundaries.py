@@ -90,7 +90,7 @@ class Boundaries(State):
         """End a clause; after a colon or dash, what follows may tell the parts of what came last."""
         things = self.clause.members
         front = self.front if kind == "colon" and not things else []
-        sequence = self.sequence if kind == "colon" and not things else ""
+        sequence = self.sequence if kind == "colon" and not things else None
         self.front = [] if front else self.front
         last = self.frontier[-1].thing if self.frontier else None
         self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None

@@ -1,6 +1,7 @@
 """Chunks of an English text to a draft, clause by clause."""
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
@@ -22,6 +23,8 @@ def _sorts(text: str) -> list[tuple[str, str]]:
 
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
+_END = Connector("mark", "stop", 0, 0)
+"""What ends a text."""
 _LOOSE = ("scattered", "strewn", "dotted")
 """How things lie that are in no order, as all do of which nothing is said."""
 
@@ -78,8 +81,7 @@ class Clauses(Audit):
             case "prepositions":
                 self._preposition(link)
             case "sequences":
-                self.sequence = link.value
-                self.separator = ""
+                self._order(link)
             case "inverses":
                 self._open(link.value)
             case "participles":
@@ -90,6 +92,14 @@ class Clauses(Audit):
                 self._negation(link)
             case _:
                 self._say_of_all(link)
+
+    def _order(self, link: Connector) -> None:
+        """Read in which order things are that come, or that the statement listed, where it ends."""
+        self.sequence, self.separator = link, ""
+        listed = [t for t in self.clause.members if t in self.draft.things]
+        if self._is_link(self.peek() or _END, "mark", "stop", "semicolon") and not any(t.many for t in listed):
+            for before, thing in pairwise(listed):
+                self._come_after(thing, before)
 
     def _say_manner(self, link: Connector) -> None:
         """Note how things are said to be where they are: "slightly angled towards the fire", "stacked on the bed"."""
@@ -334,8 +344,12 @@ class Clauses(Audit):
             return True
         label = not noun.named or noun.word in grammar().lists["labels"]
         after = self.peek()
-        ends = 1 if isinstance(after, Noun) and after.kind == "abstract" else 0
+        numbered = isinstance(after, Noun) and after.kind == "number" and noun.word in grammar().lists["labels"]
+        ends = 1 if numbered or (isinstance(after, Noun) and after.kind == "abstract") else 0
         if not noun.det and label and noun.count is None and self._is_link(self.peek(ends), "mark", "colon"):
+            if numbered and isinstance(after, Noun):
+                self.numbers.add(after.count or 0)
+                self._go_past(after)
             return True
         if self._is_what_somebody_does(noun):
             return True

@@ -101,6 +101,8 @@ def _joined_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "the left and the right wall" are two walls, as "the left and right walls" are."""
     made = list(chunks)
     for at in range(len(made) - 3, 0, -1):
+        if at + _BOTH >= len(made):
+            continue  # What comes after was made one.
         one, joint, wall, after = made[at], made[at + 1], made[at + 2], made[at + 3 : at + 4]
         if not isinstance(one, Noun) or not isinstance(wall, Noun) or not is_link(joint, "joins", "and"):
             continue

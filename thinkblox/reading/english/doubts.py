@@ -93,12 +93,16 @@ class Doubts(Corrections):
             return False
         if self.account.is_lost(noun.start, noun.end) or self._is_corrected(at):
             return False
-        if noun.kind in ("part", "place") and count == _PLAIN_SIDES:
+        if noun.kind in ("part", "place") and (count == _PLAIN_SIDES or self._are_on_all_sides(count)):
             return False
         sides = (c for c in self.chunks[at + 1 : at + 5] if isinstance(c, Noun) and c.kind in ("part", "place"))
         shared = any(side.det in ("each", "either", "both") or side.many for side in sides)
         wanted = {count, 2 * count, 4 * count} if shared else {count}
         return not wanted & numbers
+
+    def _are_on_all_sides(self, sides: int) -> bool:
+        """Whether as many are at each of so many sides of a thing."""
+        return any(b.kind == "around" and (b.subject.count or 1) % sides == 0 for b in self.draft.bonds)
 
     def _is_corrected(self, at: int) -> bool:
         """Whether a correction of a number follows soon."""

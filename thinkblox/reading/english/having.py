@@ -15,6 +15,8 @@ from thinkblox.reading.english.referents import last_word
 _PAIR = 2
 _LAID = ("laid with", "set with")
 """How a place at a table is said to have what lies before it: "every seat laid with a plate"."""
+_BESIDE = ("next_to", "near", "by", "in_front_of", "behind", "under")
+"""Prepositions of what stands by itself."""
 _MADE_OF = ("consist", "made up", "composed", "compris")
 """How words begin that tell what something is made up of."""
 
@@ -196,7 +198,16 @@ class Having(Groups):
         part = noun.word in grammar().lists["features"]
         part = part or self._is_bowl_of(noun, thing) or self._is_seat_of(noun, thing)
         called = name_of(noun.text.lower().split()) if part and noun.named else None
-        return part and not (self.each or own or (called is not None and called.length > 1))
+        named = called is not None and called.length > 1
+        return part and not (self.each or own or named or self._is_apart(noun))
+
+    def _is_apart(self, noun: Noun) -> bool:
+        """Whether what comes is no part: "two cages with a wheel in each", "a chair with a footrest in front of it"."""
+        link = self.peek(1) if noun is self.peek() else None
+        other = self._next_noun(2) if self._is_link(link, "prepositions") else None
+        if other is None or other.kind != "pronoun":
+            return False
+        return other.value == "each" or self._is_link(link, "prepositions", *_BESIDE)
 
     def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is the sink of a vanity: what one washes at has one of its own."""
@@ -265,7 +276,9 @@ class Having(Groups):
         if self.separator == "comma" and noun is not None and self._lies_on_it(noun):
             return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
-        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
+        last = self._before()
+        named = isinstance(last, Noun) and last.kind == "thing" and not last.definite
+        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not (covers or named):
             outer = [n for n in nodes if n.frame is not None]
             return outer[-1] if outer else nodes[-1]
         if kind in ("hold", "carry"):

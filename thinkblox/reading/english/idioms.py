@@ -138,7 +138,7 @@ def _hyphened(tokens: list[Token]) -> list[Token]:
     """Read "a wall mounted shelf" as "a wall-mounted shelf", unless it is followed by where on the wall."""
     for at in range(len(tokens) - 2):
         fixed = tokens[at].text in _PARTS and tokens[at + 1].text in _FIXED and tokens[at + 2].kind == "word"
-        if fixed and not grammar().at(tokens, at + 2, "prepositions"):
+        if fixed and not grammar().at(tokens, at + 2, "prepositions", "determiners", "count", "vague"):
             tokens[at] = replace(tokens[at], glued=True)
     return tokens
 

@@ -12,8 +12,8 @@ _LEAST = 2
 """Fewest labels that tell things of one name apart."""
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 _STOPS = ".!?;:\n"
-_NO_THINGS = ("groups", "rooms", "zones")
-"""Words for parts of a room, or for other rooms, that have letters too."""
+_NO_THINGS = ("groups", "rooms", "zones", "labels")
+"""Words for parts of a room, for other rooms and for parts of a text, that have letters or numbers too."""
 
 
 def with_labels(tokens: Sequence[Token]) -> list[Token]:

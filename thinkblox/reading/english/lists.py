@@ -37,14 +37,21 @@ class Memberships(Ties):
         self._member(thing, frame)
         self.draft.bonds += [replace(bond, subject=thing) for bond in frame.inherited]
         frame.inherited = []
-        self._push(Node([thing], frame, each=noun.each))
+        having = self._is_link(self.peek(), "verbs", "have", "hold", "carry")
+        self._push(Node([thing], frame, each=noun.each or (having and noun.plural and noun.det in ("all", "both"))))
         if before and self._comes_then(before[0]):
             bind(self.draft, Bond("next_to", thing, (before[0],)))
-        if self.sequence and before and before[0] is not thing:
-            bind(self.draft, Bond(relation_kind(self.sequence), thing, (before[0],)))
+        if before and before[0] is not thing:
+            self._come_after(thing, before[0])
         if frame.head is None:
             self.subject, self.predicate = None, False
             self._apply_front([thing])
+
+    def _come_after(self, thing: Mention, before: Mention) -> None:
+        """Put a thing after the one before it in the order that was told."""
+        if self.sequence is not None:
+            bind(self.draft, Bond(relation_kind(self.sequence.value), thing, (before,)))
+            self.ordered.append((self.sequence, self.draft.bonds[-1]))
 
     def _comes_then(self, before: Mention) -> bool:
         """Whether "a fridge in the corner, then a stove" says that one stands beside the other."""

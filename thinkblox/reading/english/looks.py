@@ -220,9 +220,8 @@ class Descriptions(Rooms):
         following = self.peek()
         single = len(size.lengths) == 1 and size.area is None
         roomy = not single and size.area is None and min(length.metres for length in size.lengths) > _ROOMY
-        if single and isinstance(following, Adjective) and following.attributes == ["square"]:
-            size = replace(size, lengths=size.lengths * 2)
-            single = False
+        size = self._squared(size, before, following)
+        single &= size is measured.size
         thing = self.frontier[-1].thing if self.frontier else None
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
@@ -241,6 +240,17 @@ class Descriptions(Rooms):
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)
+
+    def _squared(self, size: Size, before: Chunk | None, following: Chunk | None) -> Size:
+        """Both sides of what is "5 m square"; goes past that word where it is said of a room."""
+        if len(size.lengths) > 1 or size.area is not None or not isinstance(following, Adjective):
+            return size
+        if following.attributes != ["square"]:
+            return size
+        if isinstance(before, Noun) and before.kind == "room":
+            self.account.mark(following.start, following.end, "constraint")
+            self.at += 1
+        return replace(size, lengths=size.lengths * 2)
 
     def _outgrows(self, measured: Measured, thing: Mention | None) -> bool:
         """Whether a size after a comma can be none of the thing before: "with a washing machine, 2 m by 2.5 m"."""

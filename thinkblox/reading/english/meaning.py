@@ -12,7 +12,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import SIDES, relation_at
 from thinkblox.reading.english.places import corner, opening, wall
-from thinkblox.reading.english.referents import Referents, fits, is_small
+from thinkblox.reading.english.referents import Referents, fits, is_small, last_word
 from thinkblox.reading.english.rewording import SHARES
 
 _OPENINGS = ("window", "door")
@@ -37,7 +37,7 @@ _FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front",
 """Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
-_SIDES = 2
+_SIDES, _ALL_SIDES = 2, 4
 """More sides than these are all around a thing."""
 _SEVERAL = 3
 """Of so many alike "between them" does not mean between the two of them."""
@@ -241,6 +241,8 @@ class Meanings:
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
+        if said.value == "each" and kind == "at" and subjects and is_seat(subjects[-1]):
+            plural = [t for t in (*likely, *self.referents.plural()) if t.many and _is_sat_at(t)] or plural
         anchors = two or (
             tuple(plural[:1])
             if plural and (kind != "between" or likely[:1] == plural[:1])
@@ -388,15 +390,17 @@ class Meanings:
         """How what is at a part of a thing stands to it."""
         loose, self.guessed = self.guessed, False
         both = _are_both(said)
-        times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        four = kind == "around" and said.value == "side" and not said.count and "square" in whole.attributes
+        times = (_ALL_SIDES if four else _SIDES) if said.det == "each" or where.word == "per" else 1
         self.ended = whole if said.value == "end" else self.ended
         kind = self._long_side(kind, said, whole, subjects, noun)
         loose |= kind == "on" and said.value in ("end", *_CORNERS)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
-        if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
-            return self._around_all(said.count or 0, meaning, subjects)
+        sides = said.count or (_ALL_SIDES if said.det == "all" and said.plural else 0)
+        if said.value == "side" and sides > _SIDES and not (is_small(whole) or meaning.each):
+            return self._around_all(sides, meaning, subjects)
         if kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other"):
             kind = _at_one_side(said, whole)
             loose |= kind == "at"
@@ -438,9 +442,10 @@ class Meanings:
         return {"left_of": "in_front_of", "right_of": "behind"}.get(kind, kind)
 
     def _around_all(self, sides: int, meaning: Meaning, subjects: list[Mention]) -> Meaning:
-        """Read "benches on all four sides of the fountain": at least one at each."""
+        """Read "benches on all four sides of the fountain": one at each at least, or so many at each."""
         for subject in subjects:
-            subject.count = sides if subject.count in (None, 1) else subject.count
+            count = subject.count or 1
+            subject.count = sides * count if count < sides else count
         return Meaning("around", meaning.anchors, told=meaning.told)
 
     def _of_several(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
@@ -794,6 +799,10 @@ def _at_place(*bonds: Bond) -> bool:
 def is_seat(thing: Mention) -> bool:
     """Whether one sits on it."""
     return load_habits().is_in(thing.noun, "seats")
+
+
+def _is_sat_at(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, *_TOPS) or last_word(thing) in grammar().lists["sat_at"]
 
 
 def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:

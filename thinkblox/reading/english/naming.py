@@ -21,6 +21,9 @@ SEATERS = {"for-1": "one-seat", "for-2": "two-seat", "for-3": "three-seat", "for
 _ANGLED = "L-shaped"
 """What a corner sofa is wherever it stands."""
 
+_POINTING = ("the", "all")
+"""Determiners of what is pointed at, though it may only be told of later."""
+
 
 class Naming(Several):
     """Finds known things and adds new ones."""
@@ -62,9 +65,16 @@ class Naming(Several):
         if not counted or other or self.referents.named(noun) is not None:
             return None
         whole = self._new(replace(noun, count=None, plural=True, of_known=False, attributes=[], unshown=[]))
+        if (places := self._places_told()) and self.habits.is_in(noun.value, "seats", "chairs"):
+            whole.count = places
         part = self.referents.part(whole, noun.count or 1)
         part.attributes, part.unshown = [*noun.attributes], [*noun.unshown]
         return part
+
+    def _places_told(self) -> int:
+        """How many the tables seat of which that is told; 0 where it is of none."""
+        tables = [t for t in self.draft.things if t.seats and self.habits.is_in(t.noun, "tables")]
+        return sum(t.seats * (t.count or 1) for t in tables)
 
     def _some_told(self, noun: Noun) -> Mention | None:
         """Read "three chairs are black", where there are more of them, as some of these."""
@@ -110,10 +120,12 @@ class Naming(Several):
             self.told_later.add(thing)
             thing.count, thing.least, thing.most = noun.count or thing.count, noun.least, noun.most
             thing.plural = noun.plural
-            if named.det == "the":
+            if named.det in _POINTING:
+                told = [a for a in thing.attributes if a not in (*named.attributes, *noun.attributes)]
                 thing.noun, thing.text = noun.value, noun.text
-                thing.attributes = [*named.looks, *noun.attributes]
-                thing.unshown, thing.states = [*noun.unshown], [*noun.states]
+                thing.attributes = [*named.looks, *noun.attributes, *told]
+                thing.unshown = [*dict.fromkeys((*thing.unshown, *noun.unshown))]
+                thing.states = [*dict.fromkeys((*thing.states, *noun.states))]
             return [thing]
         return []
 
@@ -123,7 +135,7 @@ class Naming(Several):
         if thing.noun == noun.value and named.each:
             return several and not (noun.attributes or noun.unshown)
         alike = thing.noun == noun.value or last_word(thing) == noun.word
-        if not alike or named.det != "the" or thing.count not in (None, 1, noun.count) or named.unshown:
+        if not alike or named.det not in _POINTING or thing.count not in (None, 1, noun.count) or named.unshown:
             return False
         if is_tasked(self.cut, named):
             return named.plural == noun.plural and {*named.attributes} <= {*noun.attributes}

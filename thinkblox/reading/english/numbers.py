@@ -277,6 +277,8 @@ class Numbers(Verbs):
 
     def _bound_next(self, noun: Noun) -> None:
         """Give "at least two and at most four stools" both bounds; a bound of nothing is not understood."""
+        if self._is_other_bound(noun):
+            return
         after = self._next_noun(1) if self._is_link(self.peek(), "joins", "and", "but") else None
         if after is None or after.kind != "thing" or (after.least is None and after.most is None):
             thing = self.frontier[-1].thing if self.frontier and self.separator == "comma" else None
@@ -288,6 +290,21 @@ class Numbers(Verbs):
         after.least = noun.least if after.least is None else after.least
         after.most = noun.most if after.most is None else after.most
         self.at += 1
+
+    def _is_other_bound(self, noun: Noun) -> bool:
+        """Read "no more than five plants but at least three": both bounds of the plants."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        joined = self._is_link(self._before(), "joins", "and", "but") or self._is_link(self._before(), "mark", "comma")
+        last = not isinstance(self._next_noun(1), Noun) or self._is_link(self.peek(), "mark")
+        if thing is None or not joined or not last or noun.count is None:
+            return False
+        least = thing.least if noun.least is None else noun.least
+        most = thing.most if noun.most is None else noun.most
+        told = (thing.least is None) != (thing.most is None)
+        if not told or least is None or most is None or least > most:
+            return False
+        thing.least, thing.most, thing.count = least, most, min(max(thing.count or least, least), most)
+        return True
 
     def _some(self, whole: Mention, noun: Noun) -> None:
         """Speak of so many, of the other, of the third of `whole`."""

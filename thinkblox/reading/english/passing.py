@@ -34,7 +34,7 @@ def _is_owning(tokens: Sequence[Token], at: int) -> bool:
 def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which it is told of the things themselves, or said not to be understood."""
     made: list[Chunk] = []
-    chunks, at = _seated(chunks), 0
+    chunks, at = _seated(_without_past(chunks)), 0
     while at < len(chunks):
         chunk = chunks[at]
         if _is_own_door(chunks, at):
@@ -66,6 +66,21 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
         at += 1
+    return made
+
+
+def _without_past(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which what a thing was once asks for nothing: "two mirrors that used to be mine"."""
+    made = list(chunks)
+    for at in range(len(made) - 3, 0, -1):
+        that, was, told = made[at : at + 3]
+        before = made[at - 2] if at > 1 and is_link(made[at - 1], "mark", "comma") else made[at - 1]
+        led = isinstance(that, (Noun, Connector)) and that.text.lower() in ("that", "which")
+        led &= isinstance(before, Noun) and before.kind == "thing"
+        here = isinstance(told, Noun) and told.kind == "place" and told.det != "a"
+        past = isinstance(was, Connector) and was.text.lower() == "used to be" and isinstance(told, (Noun, Adjective))
+        if led and past and not here:
+            made[at : at + 3] = [Connector("fillers", "words", that.start, told.end, "that used to be so")]
     return made
 
 

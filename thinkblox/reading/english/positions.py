@@ -1,6 +1,7 @@
 """Where things are: prepositions with what they are to."""
 
 from dataclasses import replace
+from itertools import takewhile
 
 from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.reading.attach import bind, relation_kind
@@ -22,9 +23,9 @@ _FRONTS = 20
 """Most relations that wait for their subject."""
 _AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
 """Prepositions before a pronoun for what the clause before was about."""
-_FACED = ("facing", "opposite", "around")
+_FACED = ("facing", "opposite", "around", "on", "on_top", "in")
 """Relations that all of several have to a single thing."""
-_SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind")
+_SHARED_BY_BOTH = (*_FACED, "next_to", "near", "by", "in_front_of", "behind", "at")
 """Relations that two have to a single thing."""
 _COLOURS = {"colour", "color"}
 """What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
@@ -127,7 +128,8 @@ class Positions(Subjects):
         if first.kind == "pronoun" or not self._is_link(self.peek(), "joins", "and"):
             return None
         second = self._next_noun(1)
-        if first.many and not (second is not None and second.definite and self._ends_after(second)):
+        many = first.many or first.rows != 0
+        if many and not (second is not None and second.definite and self._ends_after(second)):
             return None
         if second is None or second.kind not in ("thing", "place", "pronoun"):
             return None
@@ -243,18 +245,44 @@ class Positions(Subjects):
 
     def _lays_places(self, where: Where) -> bool:
         """Read "a table for four, at every seat a plate", where no seats are named, as so many plates on the table."""
-        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
+        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats), None)
         place = noun is not None and noun.each and noun.word in grammar().lists["seats"] and where.word in _AT_SEATS
         begins = not self.frontier or bool(self.separator)
-        if not place or noun is None or table is None or self._seats() or not begins:
+        if not place or noun is None or table is None or self._seats():
             return False
         self._spend(noun)
+        if not begins:
+            return self._lays_at_places(where, table)
         self._begin()
-        self.clause = Listed(None, "list", times=table.seats, each=True)
+        self.clause = Listed(None, "list", times=table.seats * (table.count or 1), each=True)
         self.front = [Awaited(Where("on", None), Meaning("on", (table,), told=True))]
         self.at += self._is_link(self.peek(), "mark", "comma", "colon")
         self.laid = True
         return True
+
+    def _lays_at_places(self, where: Where, table: Mention) -> bool:
+        """Lay as many as a table seats of what was named: "a table for four with a plate and a cup at each place"."""
+        node = self._subject_of(where)
+        if node is None:
+            return False
+        members = node.frame.members[node.frame.begun :] if node.frame is not None else []
+        before = members[: members.index(node.things[-1])] if node.things[-1] in members else []
+        laid = takewhile(lambda thing: self._is_one_laid(thing, table), reversed(before))
+        things = [thing for thing in dict.fromkeys([*laid, *node.things]) if is_small(thing)]
+        for thing in things:
+            lying = [b for b in self.draft.bonds_of(thing) if b.kind == "on" and table in b.anchors]
+            each = any(b.each for b in lying)
+            thing.count = (thing.count or 1) * table.seats * (1 if each else table.count or 1)
+            self.multiplied.add(thing)
+            if not lying:
+                bind(self.draft, Bond("on", thing, (table,)))
+        self.laid |= bool(things)
+        return bool(things)
+
+    def _is_one_laid(self, thing: Mention, table: Mention) -> bool:
+        """Whether it is one thing of which nothing is told but on which table it lies."""
+        placed = all(b.kind == "on" and table in b.anchors for b in self.draft.bonds_of(thing))
+        return placed and thing.count == 1 and is_small(thing) and not self.habits.is_in(thing.noun, "plants", "lamps")
 
     def _is_side_of_top(self, where: Where) -> bool:
         """Keep in mind at which end of a desk something lies: "a lamp on the left and a phone on the right"."""
@@ -589,7 +617,8 @@ class Positions(Subjects):
         if not isinstance(said, Noun):
             return False
         both = said.det == "both" or (said.value == "them" and said.text.lower().startswith("both"))
-        return (said.value == "all" or both) and where.word in (_FACED if said.value == "all" else _SHARED_BY_BOTH)
+        tables = where.word == "at" and where.noun is not None and self.habits.is_in(where.noun.value, "tables")
+        return (both and where.word in _SHARED_BY_BOTH) or (said.value == "all" and (tables or where.word in _FACED))
 
     def _is_elsewhere_named(self, subjects: list[Mention]) -> bool:
         """Whether the words since the last mark name things that have nothing to do with the subjects."""
@@ -710,6 +739,9 @@ class Positions(Subjects):
         if self._is_link(after, "verbs", "be", "stand", "hang", "leave", "put", "have"):
             subject = self._next_noun(ahead + 1)
             return subject is not None and subject.kind == "thing"
+        if self._is_link(after, "participles", "stand", "hang"):
+            said = self.peek(ahead + 1)
+            return isinstance(said, Noun) and said.kind == "thing" and not said.definite
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None

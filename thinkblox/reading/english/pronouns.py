@@ -9,6 +9,9 @@ from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
 
 _PAIR = 2
+_EVERYTHING = "everything"
+_CARRIED = ("on", "inside", "above")
+"""Relations of what does not stand by itself."""
 _STOP = Connector("mark", "stop", 0, 0)
 """What ends a text."""
 
@@ -59,6 +62,9 @@ class Pronouns(Numbers):
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
+        if noun.text.lower() == _EVERYTHING and not self.clause.members:
+            self._everything(noun)
+            return
         members = [t for t in self.clause.members if t in self.draft.things]
         if self._is_link(self.peek(), "fillers") or isinstance(self.peek(), Adjective):
             members = self._listed_last(members, both=noun.det == "both")
@@ -72,6 +78,34 @@ class Pronouns(Numbers):
         elif self._is_link(self.peek(), "verbs"):
             self._resume(self.referents.listed or list(self.referents.several([], "")), noun)
             self.each = any(thing.many for node in self.frontier for thing in node.things)
+
+    def _everything(self, noun: Noun) -> None:
+        """Speak of all that stands by itself, but for what is excepted; of what comes where a colon lists that."""
+        excepted = self._excepted()
+        carried = {b.subject for b in self.draft.bonds if b.kind in _CARRIED and not b.negated}
+        things = [t for t in self.draft.things if t not in excepted and t not in carried]
+        if things and not self._lists_after_colon():
+            self._resume(things, noun)
+            self.each = any(thing.many for thing in things)
+
+    def _excepted(self) -> list[Mention]:
+        """What is named after "everything but", known or new; goes past it."""
+        found: list[Mention] = []
+        link = self.peek()
+        while self._is_link(link, "joins", "but") or self._is_link(link, "prepositions", "except") or found:
+            noun = self._next_noun(1)
+            joined = not found or self._is_link(link, "joins", "and") or self._is_link(link, "mark", "comma")
+            if not joined or noun is not self.peek(1) or noun is None or noun.kind != "thing":
+                break
+            self._go_past(noun)
+            found += self._known(noun) or [self._new(noun)]
+            link = self.peek()
+        return found
+
+    def _lists_after_colon(self) -> bool:
+        marks = (c for c in self.chunks[self.at :] if isinstance(c, Connector) and c.sort == "mark")
+        first = next(marks, None)
+        return first is not None and first.value == "colon"
 
     def _listed_last(self, members: list[Mention], *, both: bool) -> list[Mention]:
         """What "all red" is said of: the innermost list that is several; "both" are its last two single things."""

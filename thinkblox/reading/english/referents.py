@@ -3,13 +3,13 @@
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from thinkblox.assets import kind_of
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.palette import COLOURS, with_general
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.senses import senses_of
-from thinkblox.knowledge.things import are_alike
+from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
@@ -74,7 +74,7 @@ class Referents:
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
         named = _is_own_name(noun.text, noun.value) and noun.named and noun.kind == "thing"
         recent = [t for t in recent if t.asked and not (named and _is_another_kind(noun, t))]
-        recent = [t for t in recent if not _is_of_another(noun, t)]
+        recent = [t for t in recent if not (_is_of_another(noun, t) or _is_one_besides(noun, t))]
         word = noun.word
         apart = grammar().lists["told_apart"]
         if word in apart:
@@ -239,7 +239,7 @@ class Referents:
         recent = [t for t in self._recent() if t not in subject]
         if lying and recent:
             on_it = (b.subject for b in self.draft.bonds if b.kind == "on" and recent[0] in b.anchors)
-            return recent[0] if is_small(recent[0]) else next((t for t in on_it if t is recent[1]), recent[0])
+            return recent[0] if is_small(recent[0]) else next((t for t in on_it if t in recent[1:2]), recent[0])
         return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
 
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:
@@ -428,6 +428,13 @@ def _has_other_colour(thing: Mention, shades: Collection[str]) -> bool:
 def _is_another_kind(noun: Noun, thing: Mention) -> bool:
     """Whether a thing was called by a name of its own that differs: a dining table is not "the coffee table"."""
     return noun.value != thing.noun and _is_own_name(thing.text, thing.noun)
+
+
+def _is_one_besides(noun: Noun, thing: Mention) -> bool:
+    """Whether "the armchair" is none of several things of a more general kind: of six chairs."""
+    lone = noun.det == "the" and not (noun.plural or noun.ordinal or noun.side or noun.degree or noun.of_known)
+    own = noun.named and noun.value in CATALOGUE and noun.count in (None, 1) and last_word(thing) != noun.word
+    return lone and own and thing.many and noun.value != thing.noun and not counts_as(thing.noun, noun.value)
 
 
 def _is_own_name(text: str, value: str) -> bool:

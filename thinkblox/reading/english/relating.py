@@ -82,6 +82,8 @@ class Relating(Naming):
         walls = meaning.anchors
         if meaning.kind not in ("on", "against_wall") or len(walls) != 2:
             return False
+        if meaning.each and not all(isinstance(wall, str) for wall in walls):
+            return False
         for subject in subjects:
             self.referents.settle(subject)
             if subject.count in (None, 1):

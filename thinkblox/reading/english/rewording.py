@@ -37,6 +37,8 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "per"
         elif word == "all" and before in _AT and after[:1] and after[0] in _SEATS:
             read[at : at + 2] = ["every", _SEATS[after[0]]]
+        elif word == "stand" and before == "each" and grammar().at(tokens, at + 1, "count") is not None:
+            read[at] = "stands"
         elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
             read[at] = "daylight"
     parted = [words[at : at + 2] in _PARTED for at in range(len(words))]

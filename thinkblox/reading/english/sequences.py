@@ -1,42 +1,25 @@
-"""What comes next in an order: "a table with four chairs, then a sideboard on the right" has it in no list."""
+"""Things named in their order: "along the right wall, from front to back: a bookcase, a desk and a plant"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
-from thinkblox.reading.english.said import is_link
+from thinkblox.brief import RelationKind
+from thinkblox.reading.draft import Bond, Draft, Mention
 
-
-def with_sequences(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which what a thing has ends before ", then" and "and then" of a thing that has its own place."""
-    made: list[Chunk] = []
-    at = 0
-    while at < len(chunks):
-        length = _then(chunks, at)
-        if length:
-            first, last = chunks[at], chunks[at + length - 1]
-            made.append(Connector("mark", "semicolon", first.start, last.end, ";"))
-        else:
-            made.append(chunks[at])
-        at += length or 1
-    return made
+_INTO_ROOM: dict[str, dict[str, RelationKind]] = {
+    "left_wall": {"behind": "left_of", "in_front_of": "right_of"},
+    "right_wall": {"behind": "right_of", "in_front_of": "left_of"},
+}
+"""At which side of a thing at such a wall, which looks into the room, the next one stands further back, or less far."""
 
 
-def _then(chunks: Sequence[Chunk], at: int) -> int:
-    """How many chunks ", then", ", and then" and "and then" have before a new thing; 0 where these do not come."""
-    end = at
-    while end < len(chunks) and (is_link(chunks[end], "mark", "comma") or is_link(chunks[end], "joins", "and")):
-        end += 1
-    said = " ".join(str(getattr(chunk, "text", "")).lower() for chunk in chunks[at : end + 1]).split()
-    if end == at or "then" not in said:
-        return 0
-    end += "then" not in " ".join(str(getattr(c, "text", "")).lower() for c in chunks[at:end]).split()
-    after, link = (*chunks[end : end + 2], None, None)[:2]
-    new = isinstance(after, Noun) and after.kind == "thing" and not after.definite
-    placed = is_link(link, "prepositions") and not is_link(link, "prepositions", "with", "of", "for")
-    return end - at if new and placed and _is_list(chunks[:at]) else 0
+def settle_sequences(draft: Draft, ordered: Iterable[Bond]) -> None:
+    """Say of what stands further back along a side wall that it is beside the one before rather than behind it."""
+    for bond in ordered:
+        anchor = bond.anchors[0]
+        walls = _walls(draft, bond.subject) & (_walls(draft, anchor) if isinstance(anchor, Mention) else set())
+        for wall in walls & _INTO_ROOM.keys():
+            bond.kind = _INTO_ROOM[wall].get(bond.kind, bond.kind)
 
 
-def _is_list(before: Sequence[Chunk]) -> bool:
-    """Whether the sentence so far says what something has."""
-    stops = (n for n in range(len(before) - 1, -1, -1) if is_link(before[n], "mark", "stop", "semicolon", "colon"))
-    return any(is_link(chunk, "prepositions", "with") for chunk in before[next(stops, -1) + 1 :])
+def _walls(draft: Draft, thing: Mention) -> set[str]:
+    return {a for b in draft.bonds_of(thing) if not b.negated for a in b.anchors if isinstance(a, str)}

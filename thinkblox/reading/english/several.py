@@ -23,6 +23,8 @@ class Several(Boundaries):
     def _whole(self, besides: Sequence[Mention]) -> Mention | None:
         """The several things that a number now parts."""
         parted = self.referents.parted
+        if parted is not None and (last := self._named_just_before()) is not None:
+            parted = parted if last in self.referents.family(parted) else last
         if parted is not None and parted not in besides and not self._is_at_others_of(parted):
             return parted
         if self.whole is not None and self.whole in self.draft.things:
@@ -37,7 +39,17 @@ class Several(Boundaries):
             or next(iter(alike), None)
             or next((t for t in self.referents.plural() if t not in besides), None)
         )
-        return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
+        left = [t for t in reversed(self.referents.last_family()) if t not in besides and t in self.draft.things]
+        return found or next(iter(left), None)
+
+    def _named_just_before(self) -> Mention | None:
+        """The several that are told to stand one to the other: "three shelves, one above the other"."""
+        other = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        if other is None or other.value != "other":
+            return None
+        noun = self._before(2) if self._is_link(self._before(), "mark", "comma") else None
+        things = self.meant.get(noun.start, []) if isinstance(noun, Noun) and noun.kind == "thing" else []
+        return things[0] if len(things) == 1 and things[0].many else None
 
     def _is_at_others_of(self, thing: Mention) -> bool:
         """Whether a number is told to be at others of these: "six on the left bench, two on the right bench"."""

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.draft import Draft, Gap, Mention
+from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english.account import Account
 from thinkblox.reading.english.antecedents import Antecedents
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
@@ -69,6 +69,7 @@ class State(Namer):
         untied: things that others were said to have, and no relation of ours says how, with their owners.
         places: seats that were just named as places at a table ("each place is laid with a plate").
         sequence: on which side each of the things that come is of the one before ("from left to right").
+        ordered: what was said of things by such words, with these.
     """
 
     def __init__(self, tokens: Sequence[Token], chunks: Sequence[Chunk]) -> None:
@@ -113,6 +114,7 @@ class State(Namer):
         self.at_ends: list[tuple[Mention, Mention, Where]] = []
         self.circles: list[tuple[Mention, Connector]] = []
         self.numbers: set[int] = set()
+        self.ordered: list[tuple[Connector, Bond]] = []
         self.tables: set[Mention] = set()
         self.unsure: list[tuple[Noun, Mention]] = []
         self.untied: list[tuple[Mention, Mention]] = []
@@ -150,7 +152,7 @@ class State(Namer):
         self.outer: Node | None = None
         self.crowd = 0
         self.held = []
-        self.sequence = ""
+        self.sequence: Connector | None = None
         self.places: list[Mention] = []
         self.together: Node | None = None
         self.adding = False

@@ -6,7 +6,7 @@ from itertools import takewhile
 from thinkblox.assets import kind_of
 from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
 from thinkblox.knowledge.senses import senses_of
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
@@ -82,7 +82,8 @@ class Subjects(Having):
             return self._past_anchor(nodes, where)
         head = inner.frame.head
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
-            return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
+            holds = self._contains(head.things[-1])
+            return self._joined(head, where) if holds else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
@@ -306,6 +307,12 @@ class Subjects(Having):
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
         return any(found in frame.members for found in self.referents.every(noun))
 
+    def _stands_at(self, noun: Noun, head: Node) -> bool:
+        """Whether "each chair" is one of those at what has a thing: "two benches at a table with a cup at each"."""
+        seats = noun.value == "seat" and not noun.named
+        several = self._seats() if seats else self.referents.every(noun)
+        return any(set(b.anchors) & set(head.things) for thing in several for b in self.draft.bonds_of(thing))
+
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
         held_there = held = self._is_held(thing, frame) and not frame.each
@@ -326,7 +333,8 @@ class Subjects(Having):
             return False
         if held_there and where.word == "between" and lying:
             return False
-        if noun.each and thing.owner is not None and self._is_listed(noun, frame):
+        listed = noun.each and thing.owner is not None and self._is_listed(noun, frame)
+        if listed or (noun.each and self._stands_at(noun, head)):
             return False
         beside = held_there and where.word in _BY_OWNER and not lying
         return beside or self.habits.is_in(thing.noun, "small", "seats", "lamps")
@@ -376,11 +384,21 @@ class Subjects(Having):
         named = self.named_by.get(anchor.things[-1])
         return thing and not self.separator and named is not None and named is before
 
+    def _is_faced_there(self, anchor: Node, where: Where) -> bool:
+        """Whether a place follows where what is faced is, named for the first time: "facing the altar at the front"."""
+        place = where.noun is not None and where.noun.kind == "place"
+        before = self.chunks[self._began - 1] if self._began else None
+        if not (place or self._is_at_room_part(where)):
+            return False
+        link = self.chunks[self._began - 2] if self._began > 1 else None
+        faced = self._is_link(link, "prepositions", "facing", "opposite") or self._is_link(link, "verbs", "face")
+        return faced and before is not None and self.named_by.get(anchor.things[-1]) is before
+
     def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
         """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
         inner = nodes[0]
         subject = next((n for n in nodes if n.frame is not None), None) or self.subject
-        if subject is None:
+        if subject is None or self._is_faced_there(inner, where):
             return inner
         carries = any(
             b.kind in ("on", "inside") and inner.things[-1] in b.anchors
@@ -497,7 +515,8 @@ class Subjects(Having):
             for m in frame.members
             if any(not b.implied and (b.kind, b.anchors) not in shared for b in self.draft.bonds_of(m))
         ]
-        return taken + [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+        told = [b for b in self.draft.bonds if not b.implied]
+        return taken + [m for m in frame.members if any(m in b.anchors and not _is_filled(m, b) for b in told)]
 
     def _named_with(self, node: Node) -> list[Mention]:
         """Both of "a green and a black chair", which are where the last is said to be; empty for other things."""
@@ -570,6 +589,7 @@ class Subjects(Having):
         upright = not is_small(node.things[-1]) or self.habits.is_in(node.things[-1].noun, "built_in")
         shared = where.word in (*_SHARED, "at") or (wall and upright) or self._is_one_phrase(other, node.things[-1])
         shared |= where.noun is not None and where.noun.value.startswith("corner") and self._begins_with(other)
+        shared |= where.word == "on" and where.noun is not None and self.habits.is_in(where.noun.value, "covers")
         if not alone or not shared or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun
@@ -681,6 +701,11 @@ class Subjects(Having):
 def is_raised(noun: str, attributes: Sequence[str]) -> bool:
     """Whether it is said to be of such a kind that furniture stands under it."""
     return kind_of(noun).forms.get("over", "") in attributes
+
+
+def _is_filled(thing: Mention, bond: Bond) -> bool:
+    """Whether it only says what a small thing holds, which itself may be anywhere."""
+    return is_small(thing) and bond.kind in ("inside", "on")
 
 
 def _is_thin(thing: Mention) -> bool:

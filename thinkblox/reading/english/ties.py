@@ -4,8 +4,8 @@ from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Listed, Node
-from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
+from thinkblox.reading.english.nodes import Listed
+from thinkblox.reading.english.referents import FURNITURE, is_furniture, is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _ON_IT = ("prepositions", "on", "in", "inside", "on_top")
@@ -33,7 +33,7 @@ class Ties(Relating):
         nodes = [node for node in reversed(self.frontier) if node.frame is not None]
         for node in nodes:
             frame = node.frame
-            if frame is None or frame.head is None or self._is_too_large(thing, frame, nodes):
+            if frame is None or frame.head is None or self._is_too_large(thing, frame):
                 continue
             if self._is_at_other_side(frame) or self._goes_on(frame, thing, noun):
                 frame.closing |= self.separator in ("and", "comma_and")
@@ -49,16 +49,18 @@ class Ties(Relating):
             self.clause.closing = True
         return self.clause
 
-    def _is_too_large(self, thing: Mention, frame: Listed, nodes: list[Node]) -> bool:
+    def _is_too_large(self, thing: Mention, frame: Listed) -> bool:
         """Whether it goes into no small holder that is one of several things: a laptop, listed after a mug of pens."""
         head = frame.head.thing if frame.head is not None else None
-        if head is None or not is_small(head) or frame.kind not in _HELD or self._is_told_by_pronoun():
+        if head is None or not is_small(head) or frame.kind not in _HELD:
             return False
-        if self.habits.is_in(thing.noun, "covers") or not any(n.frame is not frame and _has_head(n) for n in nodes):
+        if self._is_told_by_pronoun():
+            return frame.each and is_furniture(thing) and not self.habits.is_in(thing.noun, "lamps")
+        if self.habits.is_in(thing.noun, "covers"):
             return False
         inner, outer = sorted(kind_of(thing.noun).size), sorted(kind_of(head.noun).size)
         narrow = last_word(head) in grammar().lists["holders"]
-        return inner[0] > outer[0 if narrow else 1] or inner[1] > outer[2]
+        return inner[0] > outer[0 if narrow else 1] or inner[1] > outer[1 if self._contains(head) else 2]
 
     def _is_group_told(self) -> bool:
         """Whether what each of a group is was told to its end: "each a desk with a lamp and a chair, a sink"."""
@@ -420,7 +422,7 @@ class Ties(Relating):
         upright = not self.habits.is_in(thing.noun, "lounges") or self.habits.is_in(head.noun, "lounged_at")
         if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
-        contains = self._contains(head)
+        contains = self._contains(head) or _goes_into_cup(thing, head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
         flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
@@ -480,8 +482,10 @@ class Ties(Relating):
         return self._has_shelves(head) or last_word(head) in grammar().lists["containers"]
 
 
-def _has_head(node: Node) -> bool:
-    return node.frame is not None and node.frame.head is not None
+def _goes_into_cup(thing: Mention, head: Mention) -> bool:
+    """Whether it stands in what one also drinks from: the pencils of "a cup with two pencils", but no saucer."""
+    sides, opening = sorted(kind_of(thing.noun).size), sorted(kind_of(head.noun).size)
+    return last_word(head) in grammar().lists["cups"] and sides[1] < opening[1]
 
 
 def _is_whole_place(place: Noun) -> bool:

@@ -111,7 +111,9 @@ def _is_use(words: list[str]) -> bool:
 
 
 def _of_all(words: list[str]) -> int:
-    """Read "everything orange", "everything in white"."""
+    """Read "everything orange", "everything in white", "orange everything"."""
+    if words[1:2] == ["everything"] and words[0] in LOOKS:
+        return 2
     at = 2 if words[1:2] in (["in"], ["is"]) else 1
     return at + 1 if words[:1] == ["everything"] and at < len(words) and words[at] in LOOKS else 0
 

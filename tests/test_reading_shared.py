@@ -1,0 +1,344 @@
+"""What is said of all together, of all but some, or of each of several, and of nothing besides."""
+
+import pytest
+
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def told(prompt: str) -> tuple[dict[str, int], set[str]]:
+    """What is asked for, and how it stands; everything is understood."""
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    return asked(brief), related(brief)
+
+
+def asked(brief: Brief) -> dict[str, int]:
+    """How many are asked for, by key."""
+    return {r.key: r.count for r in brief.requests if r.asked}
+
+
+def related(brief: Brief) -> set[str]:
+    """The relations that are asked for, in words."""
+    return {
+        " ".join((r.subject, "not " * r.negated + r.kind, *r.anchors, *["each"] * r.each))
+        for r in brief.relations
+        if r.asked
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "The four stuffed animals are all in a basket.",
+            {"stuffed_animal": 4, "basket": 1},
+            {"stuffed_animal inside basket"},
+        ),
+        ("Two chairs, both at a desk.", {"chair": 2, "desk": 1}, {"chair at desk"}),
+        ("Six chairs, all at a table.", {"chair": 6, "dining_table": 1}, {"chair around dining_table"}),
+        ("Two lamps, each on a table.", {"table_lamp": 2, "dining_table": 2}, {"table_lamp on dining_table"}),
+    ],
+)
+def test_all_share_one_thing(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Everything but the easel stands against the walls: a daybed, a chest and two shelving units.",
+            {"daybed against_wall wall", "chest against_wall wall", "shelving_unit against_wall wall"},
+        ),
+        (
+            "A sofa, a bed and a desk with a lamp on it. Everything except the desk is against the wall.",
+            {"sofa against_wall wall", "bed against_wall wall", "desk_lamp on desk"},
+        ),
+        (
+            "There is a bed. There is a stove and a fridge. Everything is against the wall.",
+            {"bed against_wall wall", "stove against_wall wall", "fridge against_wall wall"},
+        ),
+    ],
+)
+def test_everything_but_what_is_excepted(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A cash register and a jar of treats on the counter.",
+            {"cash_register on counter", "jar on counter", "treats inside jar"},
+        ),
+        (
+            "A vase with roses, a tray with two cups and a lamp on the sideboard.",
+            {
+                "vase on sideboard",
+                "cut_flower inside vase",
+                "tray on sideboard",
+                "cup on tray",
+                "table_lamp on sideboard",
+            },
+        ),
+        ("A balance board and two dumbbells on a mat.", {"door_mat under balance_board", "dumbbell on door_mat"}),
+        (
+            "Five sacks next to the counter; two cages on a table with a wheel in each.",
+            {"sack next_to counter", "cage on dining_table", "wheel inside cage each"},
+        ),
+    ],
+)
+def test_what_is_listed_lies_together(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["up to the ceiling", "that reach to the ceiling", "going all the way up to the ceiling", "that reach the ceiling"],
+)
+def test_what_reaches_the_ceiling_hangs_from_none(words: str) -> None:
+    brief = read_brief(f"A big table and shelves {words}.")
+    looks = {r.category: r.attributes for r in brief.requests if r.asked}
+    assert looks == {"dining_table": ("large",), "shelving_unit": ("full-height",)}
+    assert not related(brief)
+
+
+def test_a_square_room_makes_no_table_square() -> None:
+    brief = read_brief("A round table in the centre of a dining room, five metres square, and six chairs around it.")
+    assert (brief.width, brief.depth) == (5.0, 5.0)
+    assert brief.request("dining_table").attributes == ("round", "for-6")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "look"),
+    [
+        ("Over the table hangs a lantern.", "hanging"),
+        ("A table against the wall. Over the table hangs a lantern.", "wall-mounted"),
+        ("A lantern hangs over the bed.", "wall-mounted"),
+    ],
+)
+def test_what_is_over_a_table_hangs_from_the_ceiling(prompt: str, look: str) -> None:
+    assert read_brief(prompt).request("lantern").attributes == (look,)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        (
+            "A long table with eight place settings with a plate and a fork each.",
+            {"dining_table": 1, "plate": 8, "fork": 8},
+        ),
+        (
+            "Four place settings on the table: a plate, a fork and a knife each.",
+            {"plate": 4, "fork": 4, "knife": 4, "dining_table": 1},
+        ),
+        (
+            "An oval table with place settings for six, each with a plate and a glass.",
+            {"dining_table": 1, "plate": 6, "glass": 6},
+        ),
+        (
+            "A table is laid for six, with a plate and a glass at each setting.",
+            {"dining_table": 1, "plate": 6, "glass": 6},
+        ),
+        (
+            "The table is laid for two: a plate and a napkin at every place.",
+            {"dining_table": 1, "plate": 2, "napkin": 2},
+        ),
+        ("Two tables, each seating six. At every seat there is a glass.", {"dining_table": 2, "glass": 12}),
+        (
+            "A table for four with a vase in the middle and a plate at each place.",
+            {"dining_table": 1, "vase": 1, "plate": 4},
+        ),
+        ("A table with four chairs and a plate at each place.", {"dining_table": 1, "chair": 4, "plate": 4}),
+        ("Two benches at a table with a plate at each place.", {"bench": 2, "dining_table": 1, "plate": 2}),
+        ("A dining table that seats six. One of the chairs is red.", {"dining_table": 1, "chair": 1, "chair-2": 5}),
+    ],
+)
+def test_so_many_are_laid_as_sit_there(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A sofa stands against the wall, opposite a low TV bench with a television on it.",
+            {"sofa against_wall wall", "sofa opposite tv_stand", "tv on tv_stand"},
+        ),
+        ("A desk, next to a cabinet with a printer on it.", {"desk next_to cabinet", "printer on cabinet"}),
+        (
+            "A counter with a rack behind it; five barrels, each with two glasses and a candle on it.",
+            {"shelving_unit behind counter", "glass on barrel each", "candle on barrel each"},
+        ),
+    ],
+)
+def test_it_is_what_has_what_is_listed(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("words", "chairs"),
+    [
+        ("two chairs on each side", 8),
+        ("a chair on each side", 4),
+        ("two chairs on each of two sides", 4),
+        ("two chairs on all four sides", 8),
+        ("eight chairs on all four sides", 8),
+        ("two chairs on either side", 2),
+    ],
+)
+def test_a_square_table_has_four_sides(words: str, chairs: int) -> None:
+    assert told(f"A square table with {words}.")[0] == {"dining_table": 1, "chair": chairs}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Along the right wall, from front to back: a bookcase, a desk and a plant.",
+            {
+                "bookcase against_wall right_wall",
+                "desk against_wall right_wall",
+                "desk right_of bookcase",
+                "plant against_wall right_wall",
+                "plant right_of desk",
+            },
+        ),
+        (
+            "On the left wall stand a wardrobe and a dresser, from back to front.",
+            {"wardrobe against_wall left_wall", "dresser against_wall left_wall", "dresser right_of wardrobe"},
+        ),
+    ],
+)
+def test_in_the_order_that_is_told(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+def test_an_order_that_is_not_kept_is_told() -> None:
+    assert read_brief("A bed and a desk on the left wall. From left to right.").unknown == ("From left to right",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("Six desks facing the teacher's desk at the front.", {"desk facing desk-2", "desk-2 against_wall near_wall"}),
+        ("Ten chairs, facing the altar in the corner.", {"chair facing altar", "altar in_corner corner"}),
+        (
+            "Two shelves one above the other on the wall.",
+            {"wall_shelf above wall_shelf-2", "wall_shelf on wall", "wall_shelf-2 on wall"},
+        ),
+        ("An armchair with a footrest in front of it.", {"ottoman in_front_of armchair"}),
+        ("The bathtub stands lengthwise along the back wall.", {"bathtub against_wall far_wall"}),
+        ("A guitar stands upright in the corner.", {"guitar in_corner corner"}),
+    ],
+)
+def test_where_it_is_said_to_be(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "There are no more than five plants but at least three.",
+        "At least three plants and at most five.",
+        "At least three but no more than five plants.",
+    ],
+)
+def test_a_number_has_both_bounds(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    assert brief.request("plant").bounds == (3, 5)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Six chairs around a table. The armchair stands in the corner.",
+            {"chair": 6, "dining_table": 1, "armchair": 1},
+            {"chair around dining_table", "armchair in_corner corner"},
+        ),
+        (
+            "Step 1: put the workbench under the window. Step 2: place a stool in front of the workbench.",
+            {"workbench": 1, "stool": 1},
+            {"workbench next_to window", "stool in_front_of workbench"},
+        ),
+        (
+            "sofa: against north wall, coffee table: in front of sofa, remote: on coffee table",
+            {"sofa": 1, "coffee_table": 1, "remote_control": 1},
+            {"sofa against_wall north_wall", "coffee_table in_front_of sofa", "remote_control on coffee_table"},
+        ),
+        (
+            "Six stools, two of which are red; two shelves, one above the other.",
+            {"stool": 2, "stool-2": 4, "wall_shelf": 1, "wall_shelf-2": 1},
+            {"wall_shelf above wall_shelf-2"},
+        ),
+        (
+            "Six desks, each with a cup with two pencils and a chair.",
+            {"desk": 6, "cup": 6, "pencils": 12, "chair": 6},
+            {"cup on desk each", "pencils inside cup each", "chair at desk each"},
+        ),
+        (
+            "Four tables, on each of them a basket with three apples, and two chairs at each.",
+            {"dining_table": 4, "basket": 4, "apple": 12, "chair": 8},
+            {"basket on dining_table each", "apple inside basket each", "chair around dining_table each"},
+        ),
+    ],
+)
+def test_nothing_else_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Two shelves, one above the other, with nine bottles on each.",
+            {"wall_shelf": 1, "wall_shelf-2": 1, "bottle": 18},
+            {"wall_shelf above wall_shelf-2", "bottle on wall_shelf wall_shelf-2 each"},
+        ),
+        (
+            "Two shelves. On each stand nine bottles.",
+            {"shelving_unit": 2, "bottle": 18},
+            {"bottle on shelving_unit each"},
+        ),
+        (
+            "On the left stood three suits of armour, on the right hung three portraits.",
+            {"suit_of_armour": 3, "picture": 3},
+            {"suit_of_armour against_wall left_wall", "picture against_wall right_wall"},
+        ),
+        ("On the left wall hung two posters.", {"poster": 2}, {"poster on left_wall"}),
+        (
+            "Shelves on the left and the right wall",
+            {"wall_shelf": 1, "wall_shelf-2": 1},
+            {"wall_shelf on left_wall", "wall_shelf-2 on right_wall"},
+        ),
+    ],
+)
+def test_so_many_on_each(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_a_text_that_breaks_off_is_read() -> None:
+    brief = read_brief("Start with the piano: it's against the wall. A metronome is on it and, to the left of that, a")
+    assert asked(brief) == {"piano": 1, "metronome": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("Two mirrors that used to be mine and a bed.", {"mirror": 2, "bed": 1}),
+        ("A table which used to be a door.", {"dining_table": 1}),
+        ("The piano that used to be here is gone. A bed.", {"bed": 1}),
+    ],
+)
+def test_what_a_thing_once_was(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+def test_what_was_told_of_them_stays_when_they_are_counted() -> None:
+    brief = read_brief("The chairs are white. There are four wooden chairs.")
+    assert asked(brief) == {"chair": 4}
+    assert set(brief.request("chair").attributes) == {"white", "wooden"}
+    assert told("All of the cups are on a tray. There are six cups.")[0] == {"cup": 6, "tray": 1}
