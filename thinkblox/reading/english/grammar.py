@@ -44,14 +44,12 @@ class Grammar:
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
-        if not self._may_begin(tokens, start, sorts):
-            return None  # as nearly always, and this is asked dozens of times for every word of a prompt
+        # No word of a prompt is asked for less than a dozen times, nearly always in vain.
+        begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
+        if begun is None or begun.isdisjoint(sorts):
+            return None
         found = self.all_at(tokens, start, *sorts)
         return found[0] if found else None
-
-    def _may_begin(self, tokens: Sequence[Token], start: int, sorts: tuple[str, ...]) -> bool:
-        begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
-        return begun is not None and not begun.isdisjoint(sorts)
 
     def knows(self, word: str, *sorts: str) -> bool:
         """Whether a single folded word can be of one of these sorts."""
@@ -60,7 +58,8 @@ class Grammar:
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""
         found: list[Function] = []
-        if not self._may_begin(tokens, start, sorts):
+        begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
+        if begun is None or begun.isdisjoint(sorts):
             return found
         key: tuple[str, ...] = ()
         for index in range(start, len(tokens)):
