@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import mujoco
-from pxr import Gf, Kind, Sdf, Tf, UsdUtils
+from pxr import Gf, Kind, Sdf, Tf
 
 from thinkblox.errors import InputError
 from thinkblox.exporters.beside import texture_files, write_beside
@@ -99,6 +99,8 @@ def _write_package(inventory: Inventory, path: Path) -> None:
 
 
 def _packed(stage: Path, packed: Path) -> bool:
+    from pxr import UsdUtils  # which brings shaders along, and is for packages alone
+
     try:
         return bool(UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(stage)), str(packed)))
     except Tf.ErrorException:

@@ -159,7 +159,7 @@ def test_nothing_is_assumed_where_the_prompt_has_something_else() -> None:
     ("prompt", "relations"),
     [
         (
-            "A bed at the back wall with nightstands on both sides, a lamp on the left one and a clock on the right one.",
+            "A bed at the back wall with nightstands on both sides, a lamp on the left one and a clock on the right.",
             "1 table_lamp on nightstand",
         ),
         (

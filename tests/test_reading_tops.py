@@ -1,5 +1,9 @@
 """Where on a top things lie, what is stacked two by two, grids of rows and columns, and rooms that nobody knows."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from tests.test_reading_plain_words import _asked
@@ -133,3 +137,11 @@ def test_things_lie_where_on_the_top_they_were_asked_for() -> None:
     assert lamp[1] > desk.size[1] / 6
     assert books[1] < -desk.size[1] / 6
     assert all(relation.holds for relation in made.report.relations)
+
+
+def test_the_two_sides_of_a_corner_come_in_one_order_in_every_process() -> None:
+    code = "from thinkblox.reading import read_brief; from thinkblox.value import to_json; import sys; "
+    code += "sys.stdout.buffer.write(to_json(read_brief('A desk with a lamp in the back left corner of the desk.')))"
+    seeds = [os.environ | {"PYTHONHASHSEED": seed} for seed in ("1", "3")]
+    one, other = (subprocess.run([sys.executable, "-c", code], capture_output=True, env=e, check=True) for e in seeds)
+    assert one.stdout == other.stdout != b""

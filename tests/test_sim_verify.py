@@ -138,7 +138,17 @@ def test_unreachable_objects_are_reported_and_blamed() -> None:
 def test_the_same_scene_gives_the_same_report_and_state() -> None:
     room = furnished()
     assert verify(room) == verify(structs.replace(room))
-    assert settle(room) == settle(room)
+    assert settle(room) == settle(structs.replace(room))
+
+
+def test_what_is_known_of_a_scene_at_rest_is_of_that_scene_and_its_physics_alone() -> None:
+    room = furnished()
+    before = settle(room)
+    lifted = structs.replace(room["vase_1"], position=(2.2, 2.0, 0.7501))
+    moved = structs.replace(room, placements=tuple(lifted if p.id == "vase_1" else p for p in room.placements))
+    assert settle(moved).poses["vase_1"] != before.poses["vase_1"]
+    assert settle(room, physics=Physics(gravity=(0.0, 0.0, -1.0))) != before
+    assert settle(room, physics=Physics()) is before
 
 
 def test_a_cylinder_upright_to_the_last_digit_is_not_thrown_up() -> None:

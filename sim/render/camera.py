@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.render.tessellate import Floats
-from thinkblox.sim.render.vectors import length
+from thinkblox.sim.render.vectors import length, repeated, scaled
 
 Vector = NDArray[np.float64]
 
@@ -34,13 +34,16 @@ class Camera:
         """Origins and unit directions (n, 3) through points of a picture `size` pixels wide; y runs downwards."""
         u = (x * np.float32(2 / size) - np.float32(1)) * np.float32(self.reach)
         v = (np.float32(1) - y * np.float32(2 / size)) * np.float32(self.reach)
-        shift = u[:, None] * self.right.astype(np.float32) + v[:, None] * self.up.astype(np.float32)
+        shift = scaled(self.right.astype(np.float32), u)
+        shift += scaled(self.up.astype(np.float32), v)
         forward, eye = self.forward.astype(np.float32), self.position.astype(np.float32)
         if not self.perspective:
-            return eye + shift, np.ascontiguousarray(np.broadcast_to(forward, shift.shape))
-        direction = shift + forward
-        direction /= length(direction)[:, None]
-        return np.ascontiguousarray(np.broadcast_to(eye, shift.shape)), direction
+            return repeated(eye, len(x)) + shift, repeated(forward, len(x))
+        shift += repeated(forward, len(x))
+        far = length(shift)
+        for axis in range(3):
+            shift[:, axis] /= far
+        return repeated(eye, len(x)), shift
 
     def project(self, points: NDArray[np.float64], size: int) -> NDArray[np.float64]:
         """Pixel coordinates (n, 2) of points (n, 3) of the room."""

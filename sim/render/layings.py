@@ -14,6 +14,7 @@ from thinkblox.scene.surfaces import Covering
 from thinkblox.sim.render.materials import Reflectance, linear
 from thinkblox.sim.render.tessellate import Floats
 from thinkblox.sim.render.textures import fade, hashed, joint, noise, planks, speckle, wood
+from thinkblox.sim.render.vectors import scaled
 
 Tone = tuple[Floats, Floats]
 Painter = Callable[[Floats, Floats, Floats], Tone]
@@ -44,8 +45,7 @@ def colours(covering: Covering, along: Floats, across: Floats, width: Floats, *,
     base = np.array(linear(covering.colour), np.float32)
     second = _second(covering)
     tone, share = (make.floor if floor else make.wall)(along, across, width)
-    painted: Floats = base * (tone * (1 - share))[:, None] + second * share[:, None]
-    return painted
+    return scaled(base, tone * (1 - share)) + scaled(second, share)
 
 
 def mean_colour(covering: Covering) -> tuple[float, float, float]:

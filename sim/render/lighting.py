@@ -11,7 +11,7 @@ from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats
-from thinkblox.sim.render.vectors import dot
+from thinkblox.sim.render.vectors import dot, scaled
 
 CELLS = 16
 """Points take turns with this many sets of directions, 4 x 4 in the picture; a blur of that width joins them."""
@@ -137,7 +137,7 @@ def irradiance(
         sun += _sunlit(tracer, lights, points, origin, sets)
     sky += _lamp_light(tracer, lights, points, origin, cell) * np.float32(times)
     scale = np.float32(1 / times)
-    return Irradiance(sky * scale, (sun * scale)[:, None] * lights.sun_colour)
+    return Irradiance(sky * scale, scaled(lights.sun_colour, sun * scale))
 
 
 def _gathered(
@@ -198,7 +198,7 @@ def _lamp_light(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats,
         fall = (1 - square[near] / np.float32(LAMP_REACH**2)) ** 2 / (square[near] + np.float32(0.06))
         reach = np.maximum(1 - (lamp[3] + np.float32(0.02)) / np.sqrt(square[near]), np.float32(0))
         open_way = ~tracer.blocked(origin[near], np.ascontiguousarray(way[near]), reach)
-        total[near] += (np.float32(0.15) * lamp[4] * fall * cosine[near] * open_way)[:, None] * _WARM
+        total[near] += scaled(_WARM, np.float32(0.15) * lamp[4] * fall * cosine[near] * open_way)
     return total
 
 

@@ -9,7 +9,7 @@ from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats, Ints
 from thinkblox.sim.render.textures import weave, wood
-from thinkblox.sim.render.vectors import dot, largest
+from thinkblox.sim.render.vectors import dot, largest, scaled
 
 _SILVERED = np.float32(0.8)
 """How much of what is before it a mirror shows."""
@@ -79,7 +79,7 @@ class Shader:
         grazing = 1 - cosine
         patch, finish = points.patch, self._finish
         scatter = finish["diffuse"].take(patch) + finish["sheen"].take(patch) * grazing**2
-        colour = base * scatter[:, None] * (light.sky + light.sun)
+        colour = scaled(base, scatter) * (light.sky + light.sun)
         glow = finish["glow"].take(patch)
         lit = np.flatnonzero(glow > 0)
         if len(lit):
@@ -89,7 +89,7 @@ class Shader:
         shiny = np.flatnonzero(finish["mirror"].take(patch) > 0)
         if len(shiny):
             turned = cosine.take(shiny)
-            bent = points.view.take(shiny, 0) + (2 * turned)[:, None] * points.normal.take(shiny, 0)
+            bent = points.view.take(shiny, 0) + scaled(points.normal.take(shiny, 0), 2 * turned)
             colour[shiny] += self._shine(bent, light[shiny], patch.take(shiny), base.take(shiny, 0), turned)
         mirrors = np.flatnonzero(self._silvered.take(patch))
         if len(mirrors) and self._bounce is not None:
@@ -98,7 +98,7 @@ class Shader:
 
     def _mirrored(self, bounce: Floats, points: Surfels, own: Floats) -> Floats:
         """What mirrors show: what stands before them in its mean colours, and the sky where nothing does."""
-        bent = points.view - (2 * dot(points.view, points.facing))[:, None] * points.facing
+        bent = points.view - scaled(points.facing, 2 * dot(points.view, points.facing))
         hits = self._tracer.solid(points.position + points.facing * np.float32(1e-3), bent)
         sky = (bent[:, 2] * np.float32(SKY_STEPS / 2 - 0.5) + np.float32(SKY_STEPS / 2)).astype(np.intp)
         seen = bounce.take(np.where(hits.face < 0, sky, hits.face + np.intp(SKY_STEPS)), 0)
@@ -110,8 +110,8 @@ class Shader:
         sharp = np.maximum(dot(bent, self._lights.sun), np.float32(0)) ** gloss
         sharp *= mirror * np.sqrt(gloss) * np.float32(0.25)
         arrives = (light.sky[:, 0] + light.sky[:, 1] + light.sky[:, 2]) * np.float32(0.5)
-        shine = self._lights.sky(bent[:, 2]) * (mirror * np.minimum(arrives, np.float32(1)))[:, None]
-        shine += sharp[:, None] * light.sun
+        shine = scaled(self._lights.sky(bent[:, 2]), mirror * np.minimum(arrives, np.float32(1)))
+        shine += scaled(light.sun, sharp)
         tinted = np.flatnonzero(self._finish["tinted"].take(patch) > 0)
         shine[tinted] *= base.take(tinted, 0)
         return np.asarray(shine, np.float32)
@@ -160,11 +160,11 @@ class Shader:
         local, axis, rows = self._local(patch, position), self._axis[patch], np.arange(len(base))
         along = local[rows, axis]
         across = local[rows, (axis + 1) % 3] + np.float32(0.8) * local[rows, (axis + 2) % 3]
-        return base * wood(along, across, width, (patch % 97).astype(np.float32))[:, None]
+        return scaled(base, wood(along, across, width, (patch % 97).astype(np.float32)))
 
     def _fabric(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
         local = self._local(patch, position)
-        return base * weave(local[:, 0] + local[:, 2], local[:, 1] + local[:, 2], width)[:, None]
+        return scaled(base, weave(local[:, 0] + local[:, 2], local[:, 1] + local[:, 2], width))
 
     def _pane(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
         """A blurred garden under a pale sky."""

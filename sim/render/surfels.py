@@ -11,7 +11,7 @@ from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import FAR, Tracer, in_parallel
 from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.tessellate import Floats, Ints
-from thinkblox.sim.render.vectors import dot, length
+from thinkblox.sim.render.vectors import dot, length, scaled
 
 BAND = 1 << 15
 """Rays that are handled at a time, so that their arrays stay in the cache."""
@@ -79,7 +79,7 @@ def see_part(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) ->
     distance = np.where(missed, FAR, hits.distance)
     normal, facing = _normals(tracer, face, hits.u, hits.v, directions)
     patch = np.where(missed, np.int32(-1), tracer.triangles.patch.take(face))
-    position = origins + directions * np.where(missed, np.float32(0), hits.distance)[:, None]
+    position = origins + scaled(directions, np.where(missed, np.float32(0), hits.distance))
     front, clear, shine = patch, None, None
     if tracer.has_glass:
         front, clear, shine = _through_glass(tracer, origins, directions, distance, patch)
@@ -100,13 +100,13 @@ def _normals(
 ) -> tuple[Floats, Floats]:
     corners = tracer.corner_normals.take(face, 0)
     facing = tracer.face_normals.take(face, 0)
-    facing *= np.where(dot(facing, view) > 0, np.float32(-1), np.float32(1))[:, None]
+    facing = scaled(facing, np.where(dot(facing, view) > 0, np.float32(-1), np.float32(1)))
     w, normal = 1 - u - v, np.empty_like(facing)
     for axis in range(3):
         normal[:, axis] = corners[:, 0, axis] * w + corners[:, 1, axis] * u + corners[:, 2, axis] * v
     side = np.where(dot(normal, facing) < 0, np.float32(-1), np.float32(1))
-    normal *= (side / np.maximum(length(normal), np.float32(1e-20)))[:, None]
-    return normal, facing
+    shrink = np.asarray(side / np.maximum(length(normal), np.float32(1e-20)), np.float32)
+    return scaled(normal, shrink), facing
 
 
 def _through_glass(
@@ -129,7 +129,7 @@ def _through_glass(
         normal, _ = _normals(tracer, face, hits.u[seen], hits.v[seen], directions[todo])
         cosine = np.abs(dot(normal, directions[todo]))
         edge = np.float32(0.05) + np.float32(0.95) * (1 - cosine) ** 5
-        clear[todo] *= (1 - edge)[:, None] * (np.float32(0.62) + np.float32(0.36) * colours[number])
+        clear[todo] *= scaled(np.float32(0.62) + np.float32(0.36) * colours[number], 1 - edge)
         shine[todo] += edge * (1 + normal[:, 2]) * np.float32(0.45) * (1.0 if layer == 0 else 0.5)
         front[todo] = np.where(front[todo] == patch[todo], number, front[todo]) if layer == 0 else front[todo]
     return front, clear, shine

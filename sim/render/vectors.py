@@ -13,6 +13,22 @@ def dot(a: Floats, b: Floats) -> Floats:
     return result
 
 
+def scaled(rows: Floats, by: Floats) -> Floats:
+    """The rows of (n, 3), or one vector (3,), each times its own number of `by` (n,)."""
+    result: Floats = np.empty((len(by), 3), np.result_type(rows, by))
+    for axis in range(3):
+        np.multiply(rows[..., axis], by, out=result[:, axis])
+    return result
+
+
+def repeated(vector: Floats, times: int) -> Floats:
+    """A vector (3,) so many times (times, 3)."""
+    result: Floats = np.empty((times, 3), vector.dtype)
+    for axis in range(3):
+        result[:, axis] = vector[axis]
+    return result
+
+
 def length(vectors: Floats) -> Floats:
     """The lengths (n,) of vectors (n, 3)."""
     return np.asarray(np.sqrt(dot(vectors, vectors)), np.float32)

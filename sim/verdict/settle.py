@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.scene.derived import kept
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import FREE_SUFFIX, build_spec, compiled
 from thinkblox.sim.quiet import quiet_engine
@@ -67,8 +68,12 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
 
 
 def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:
-    """Let a whole scene come to rest, everything free, from the poses that it proposes."""
-    physics = physics or Physics()
+    """Let a whole scene come to rest, everything free, from the poses that it proposes; done once for a scene."""
+    return _settled(scene, physics or Physics())
+
+
+@kept
+def _settled(scene: Scene, physics: Physics) -> SettledState:
     return rest(compiled(build_spec(scene, physics=physics)), physics)
 
 

@@ -18,7 +18,7 @@ from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.contacts import Contacts
 from thinkblox.sim.verdict.requirement import Requirement
-from thinkblox.sim.verdict.settle import SettledState, diverged, free_addresses, motion_between, rest
+from thinkblox.sim.verdict.settle import SettledState, diverged, free_addresses, motion_between, rest, settle
 from thinkblox.sim.verdict.world import World
 from thinkblox.value import Value
 from thinkblox.verdict import Access, Report, Verdict
@@ -64,7 +64,7 @@ def verify(
     """
     tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
     model = compiled(build_spec(scene, physics=physics))
-    state = state or rest(model, physics)
+    state = state or settle(scene, physics=physics)
     with ThreadPoolExecutor(1) as beside:
         holding = beside.submit(hold, model, state, physics)
         walkable = access(scene, walking)

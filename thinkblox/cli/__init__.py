@@ -40,5 +40,5 @@ def _hurry() -> None:
     # No command draws by OpenGL; the engine would look for a display each time.
     os.environ.setdefault("MUJOCO_GL", "disable")
     # What a command makes it keeps: looking through it for garbage so often, and once more at the end, finds nothing.
-    gc.set_threshold(50_000)
+    gc.set_threshold(500_000)
     atexit.register(gc.freeze)

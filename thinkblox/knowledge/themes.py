@@ -82,11 +82,11 @@ class Found(NamedTuple):
 def themes_in(words: Sequence[str]) -> list[Found]:
     """The themes that a text tells, the longest phrase first where several begin with a word; each word tells one."""
     plain = [_plain(word) for word in words]
-    phrases, longest = _phrases()
+    phrases, first, longest = _phrases()
     found: list[Found] = []
     at = 0
     while at < len(plain):
-        ends = range(min(len(plain), at + longest), at, -1)
+        ends = range(min(len(plain), at + longest), at, -1) if plain[at] in first else ()
         hit = next((Found(phrases[key], at, end) for end in ends if (key := tuple(plain[at:end])) in phrases), None)
         found += [hit] if hit else []
         at = hit.end if hit else at + 1
@@ -110,10 +110,10 @@ def _themes() -> dict[str, Theme]:
 
 
 @lru_cache(maxsize=1)
-def _phrases() -> tuple[dict[tuple[str, ...], Theme], int]:
-    """The theme of every phrase, and how many words the longest has."""
+def _phrases() -> tuple[dict[tuple[str, ...], Theme], frozenset[str], int]:
+    """The theme of every phrase, the first words of these, and how many words the longest has."""
     phrases = {tuple(map(_plain, phrase.split())): theme for theme in _themes().values() for phrase in theme.phrases}
-    return phrases, max(map(len, phrases))
+    return phrases, frozenset(phrase[0] for phrase in phrases), max(map(len, phrases))
 
 
 def _plain(word: str) -> str:

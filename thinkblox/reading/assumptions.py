@@ -1,6 +1,6 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
@@ -225,6 +225,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
     seats = [t for t in draft.things if _is_upright(t)]
     taken = {id(t) for t in seats if _has_its_table(draft, t)}
     free = [t for t in seats if id(t) not in taken]
+    drawn_to, seated = _drawn_to(draft, seats), _with_seats(draft)
     for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
@@ -232,24 +233,37 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
             continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
         meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
         count = max(each * (table.count or 1), meeting)
-        drawn = [t for t in seats if any(b.kind in _BEFORE and table in b.anchors for b in draft.bonds_of(t))]
+        drawn = drawn_to.get(table, [])
         own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
         there = [t for t in there if _is_high_enough(t)] if _is_desk(table) else there
         told = draft.excluded if own else (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif _is_excepted(draft, table):
+        elif seated.get((table.noun, table.text), set()) - {table}:
             continue  # "Chairs at all desks but one."
         elif seat and not (drawn or there) and not any(counts_as(seat, n) for n in told):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
 
 
-def _is_excepted(draft: Draft, table: Mention) -> bool:
-    """Whether seats were asked for at others that were named with it."""
-    others = [t for t in draft.things if t is not table and t.noun == table.noun and t.text == table.text]
-    seats = (b for b in draft.bonds if b.asked and b.kind in _BEFORE and not b.negated)
-    return bool(others) and any(a in others for b in seats for a in b.anchors if isinstance(a, Mention))
+def _drawn_to(draft: Draft, seats: Sequence[Mention]) -> dict[Mention, list[Mention]]:
+    """Which of the seats are told to be at each thing."""
+    found: dict[Mention, list[Mention]] = {}
+    for seat in seats:
+        bonds = (b for b in draft.bonds_of(seat) if b.kind in _BEFORE)
+        for anchor in dict.fromkeys(a for b in bonds for a in b.anchors if isinstance(a, Mention)):
+            found.setdefault(anchor, []).append(seat)
+    return found
+
+
+def _with_seats(draft: Draft) -> dict[tuple[str, str], set[Mention]]:
+    """The things at which seats were asked for, by category and by what they were called."""
+    bonds = (b for b in draft.bonds if b.asked and b.kind in _BEFORE and not b.negated)
+    anchors = {a for b in bonds for a in b.anchors if isinstance(a, Mention)}
+    found: dict[tuple[str, str], set[Mention]] = {}
+    for thing in (t for t in draft.things if t in anchors):
+        found.setdefault((thing.noun, thing.text), set()).add(thing)
+    return found
 
 
 def _is_worked_on(draft: Draft, table: Mention) -> bool:
@@ -271,13 +285,10 @@ def _has_its_table(draft: Draft, seat: Mention) -> bool:
 def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
     place = room_type(draft.room).place
+    if not draft.people or not place or _is_met_at(draft, table):
+        return True
     drawn = sum(b.subject.count or 1 for b in draft.bonds if b.kind in _DRAWN_UP and table in b.anchors)
-    if (
-        not draft.people
-        or not place
-        or _is_met_at(draft, table)
-        or (table.noun == place and table.asked and drawn < (table.count or 1))
-    ):
+    if table.noun == place and table.asked and drawn < (table.count or 1):
         return True
     return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 

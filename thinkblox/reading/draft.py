@@ -93,9 +93,10 @@ class _Subjects:
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`, in their order."""
-        for bond in self._bonds[self._seen :]:
+        while self._seen < len(self._bonds):
+            bond = self._bonds[self._seen]
             self._by_subject.setdefault(bond.subject, []).append(bond)
-        self._seen = len(self._bonds)
+            self._seen += 1
         return list(self._by_subject.get(thing, ()))
 
 

@@ -26,7 +26,7 @@ MAX_MADE_OF = {"links": 10_000, "shapes": 40_000, "joints": 2_000}
 """Most links, shapes and joints that all objects of a scene have together."""
 
 
-class Scene(Arrangement, frozen=True, kw_only=True):
+class Scene(Arrangement, frozen=True, kw_only=True, dict=True):
     """A room, the assets it uses and their placements, in the order in which they were placed.
 
     What each placement rests on is derived when the scene is made, whatever the placement said.

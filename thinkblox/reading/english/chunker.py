@@ -1,7 +1,7 @@
 """Tokens of an English text to chunks, from left to right."""
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
@@ -175,7 +175,7 @@ class Cutter:
 
     def _removal(self) -> Connector | None:
         """Read "take it out", where the sentence named what is to go."""
-        for length in range(_LONGEST_ORDER, 1, -1):
+        for length in range(_LONGEST_ORDER, 1, -1) if self.tokens[self.at].text in _removing() else ():
             words = [token.text for token in self.tokens[self.at : self.at + length]]
             if " ".join(words) in grammar().lists["removals"] and len(words) == length:
                 ends = self.at + length >= len(self.tokens) or self.tokens[self.at + length].kind == "mark"
@@ -492,8 +492,10 @@ class Cutter:
     def _is_told_able(self, modal: frozenset[str]) -> bool:
         """Whether "a lamp that can rotate" goes on, and no verb that has "can" in it."""
         told = self._text_at(self.at) in ("that", "which") and self._text_at(self.at + 1) in modal
-        known = [link for at in (self.at, self.at + 1) for link in grammar().all_at(self.tokens, at, *_LINKS)]
-        return told and self._after_noun() and all(link.length < _PAIR for link in known)
+        if not told or not self._after_noun():
+            return False
+        known = (link for at in (self.at, self.at + 1) for link in grammar().all_at(self.tokens, at, *_LINKS))
+        return all(link.length < _PAIR for link in known)
 
     def _ability(self) -> Stray | None:
         """Read what no room shows of a thing: "that can rotate"."""
@@ -626,6 +628,12 @@ class Cutter:
 
     def _after_noun(self) -> bool:
         return bool(self.made) and isinstance(self.made[-1], Noun)
+
+
+@lru_cache(maxsize=1)
+def _removing() -> frozenset[str]:
+    """The first words of those that say that something is to go."""
+    return frozenset(phrase.split()[0] for phrase in grammar().lists["removals"])
 
 
 def cut(lexicon: Lexicon, tokens: Sequence[Token]) -> tuple[list[Chunk], list[SurfaceRequest]]:

@@ -44,6 +44,10 @@ class Grammar:
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
+        # No word of a prompt is asked for less than a dozen times, nearly always in vain.
+        begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
+        if begun is None or begun.isdisjoint(sorts):
+            return None
         found = self.all_at(tokens, start, *sorts)
         return found[0] if found else None
 
@@ -54,7 +58,8 @@ class Grammar:
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""
         found: list[Function] = []
-        if start >= len(tokens) or self.begun.get(tokens[start].text, frozenset()).isdisjoint(sorts):
+        begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
+        if begun is None or begun.isdisjoint(sorts):
             return found
         key: tuple[str, ...] = ()
         for index in range(start, len(tokens)):

@@ -51,10 +51,13 @@ def _everywhere(tokens: Sequence[Token]) -> Iterator[Token]:
     """Read "all over the place" as "everywhere"."""
     at = 0
     while at < len(tokens):
-        idiom = [token.text for token in tokens[at : at + len(_ANYWHERE)]] == _ANYWHERE
-        shown = " ".join(token.shown for token in tokens[at : at + len(_ANYWHERE)])
-        yield replace(tokens[at], text="everywhere", shown=shown) if idiom else tokens[at]
-        at += len(_ANYWHERE) if idiom else 1
+        said = tokens[at : at + len(_ANYWHERE)]
+        if [token.text for token in said] == _ANYWHERE:
+            yield replace(tokens[at], text="everywhere", shown=" ".join(token.shown for token in said))
+            at += len(_ANYWHERE)
+        else:
+            yield tokens[at]
+            at += 1
 
 
 def _corrected(tokens: Sequence[Token]) -> Iterator[Token]:

@@ -63,15 +63,19 @@ def _apart(tokens: Sequence[Token]) -> list[Token]:
 def _label(tokens: Sequence[Token], at: int) -> int:
     """Which of several a letter or number after a noun says it is; 0 for other tokens."""
     token, noun = tokens[at], tokens[at - 1]
+    if token.kind == "number":
+        number = int(token.value) if token.value in range(1, len(_ORDINALS) + 1) else 0
+    else:
+        number = _LETTERS.find(token.shown) + 1 if len(token.shown) == 1 else 0
+    if not number:
+        return 0
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     ends = after is None or after.kind == "mark"
     ends |= grammar().at(tokens, at + 1, "verbs", "participles", "joins", "prepositions") is not None
     plain = noun.kind == "word" and not any(noun.text in grammar().lists[name] for name in _NO_THINGS)
     if not plain or not ends or grammar().at(tokens, at - 1, "verbs", "prepositions", "determiners", "joins", "count"):
         return 0
-    if token.kind == "number":
-        return int(token.value) if token.value in range(1, len(_ORDINALS) + 1) else 0
-    return _LETTERS.find(token.shown) + 1 if len(token.shown) == 1 else 0
+    return number
 
 
 def _phrase(tokens: Sequence[Token]) -> int:

@@ -508,10 +508,11 @@ class Meanings:
     def _only_table(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """The one table that was named, of which seats are "at each end"."""
         habits = load_habits()
-        tables = [t for t in self.referents.draft.things if habits.is_in(t.noun, "tables")]
         seated = bool(subjects) and habits.is_in(subjects[-1].noun, "seats", "chairs")
-        ends = said.value == "end" and said.det in ("each", "either", "both")
-        return tables[0] if seated and ends and len(tables) == 1 else None
+        if not seated or said.value != "end" or said.det not in ("each", "either", "both"):
+            return None
+        tables = [t for t in self.referents.draft.things if habits.is_in(t.noun, "tables")]
+        return tables[0] if len(tables) == 1 else None
 
     def _untold_whole(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str

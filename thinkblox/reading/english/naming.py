@@ -134,8 +134,9 @@ class Naming(Several):
         several = noun.count is not None and noun.count > 1
         if thing.noun == noun.value and named.each:
             return several and not (noun.attributes or noun.unshown)
-        alike = thing.noun == noun.value or last_word(thing) == noun.word
-        if not alike or named.det not in _POINTING or thing.count not in (None, 1, noun.count) or named.unshown:
+        if named.det not in _POINTING or thing.count not in (None, 1, noun.count) or named.unshown:
+            return False
+        if thing.noun != noun.value and last_word(thing) != noun.word:
             return False
         if is_tasked(self.cut, named):
             return named.plural == noun.plural and {*named.attributes} <= {*noun.attributes}

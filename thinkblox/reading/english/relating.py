@@ -72,7 +72,7 @@ class Relating(Naming):
             return
         self._share(bond)
         bind(self.draft, bond)
-        for side in SIDES.keys() & meaning.part.split():
+        for side in (side for side in SIDES if side in meaning.part.split()):
             bind(self.draft, Bond(relation_kind(SIDES[side]), subject, anchors, each=meaning.each))
         if kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
             self.referents.pairs += [(subject, anchor) for anchor in anchors if isinstance(anchor, Mention)]

@@ -356,8 +356,10 @@ class Rooms(Memberships):
         """Read "keep the rest of the desk free": there is nothing on it but what is named."""
         free = self.peek()
         told = isinstance(free, Adjective) and free.text.lower() in grammar().lists["uncluttered"]
+        if not (self.leaving and told):
+            return False
         whole = replace(noun, kind="thing", text=noun.text.lower().removesuffix(" top"), attributes=[])
-        if not (self.leaving and told) or self.referents.named(replace(whole, value=whole.word)) is None:
+        if self.referents.named(replace(whole, value=whole.word)) is None:
             return False
         self._spend(noun)
         self.at += 1

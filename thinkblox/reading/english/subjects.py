@@ -275,7 +275,7 @@ class Subjects(Having):
         return not on_surface and not (hung and not self._hangs_over_head(thing, heads, noun))
 
     def _hangs_over_head(self, thing: Mention, heads: list[Mention], noun: Noun) -> bool:
-        """Whether furniture stands at a certain wall over which its own hangs: "a sofa with a picture on the left wall"."""
+        """Whether furniture stands at a wall above which its own hangs: "a sofa with a picture on the back wall"."""
         free = len(heads) == 1 and not heads[0].many and not self.draft.bonds_of(heads[0])
         certain = noun.value.endswith("_wall") and not thing.many
         return free and certain and self.habits.tie(thing.noun, heads[0].noun) == "above"
