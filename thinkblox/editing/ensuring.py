@@ -5,7 +5,8 @@ from collections.abc import Mapping
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import add, category_of
+from thinkblox.editing.adding import add
+from thinkblox.editing.adding_one import category_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make

@@ -8,7 +8,8 @@ from functools import partial
 from shapely import Point
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
+from thinkblox.editing.adding import add, add_with
+from thinkblox.editing.adding_one import MOST, add_one, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
