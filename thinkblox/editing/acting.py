@@ -19,6 +19,7 @@ from thinkblox.editing.goals import (
     Goal,
     IntoRoom,
     Laid,
+    Level,
     MidOf,
     MidWall,
     Midway,
@@ -164,6 +165,18 @@ def looking(finder: Finder, noun: Noun) -> Goal:
     if noun.kind == "place" and noun.degree and finder.about in finder.scene:
         return Related("facing", bound(Where("near", noun, text="near"), "", finder).anchors)
     return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def level(finder: Finder, noun: Noun, text: str) -> Goal:
+    """As high up as something that hangs, as a goal.
+
+    Raises:
+        InputError: that could be several, or hangs nowhere.
+    """
+    ids = finder.ids(NounPhrase(noun, id=noun.id))
+    if len(ids) != 1 or finder.scene.asset_of(finder.scene[ids[0]]).mount != "wall":
+        raise InputError(f"'{text}': as high as what? {', '.join(ids)} is not one thing that hangs on a wall")
+    return Level(ids[0])
 
 
 def backing(finder: Finder, noun: Noun) -> Goal:

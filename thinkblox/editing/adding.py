@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
-from thinkblox.editing.acting import centred, looking, mark_names
+from thinkblox.editing.acting import centred, level, looking, mark_names
 from thinkblox.editing.adding_goals import abreast, compared, related_to_those, there_where, under_each
 from thinkblox.editing.adding_one import MOST, add_one, category_of
 from thinkblox.editing.adding_places import besides, how_many, of_those, one_at, there_already
@@ -111,6 +111,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
+        goals += [level(finder, n, order.text) for n in order.level]
         goals += [compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [goal for spot in left for goal in there_where(work, spot, category)]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
@@ -221,5 +222,7 @@ def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], alo
                 around = [Where("around", it, text="around")]
                 added += _add(work, finder, Order("add", order.text), NounPhrase(noun), around)
             elif noun is not None:
-                added += _add(work, finder, Order("add", order.text), NounPhrase(noun), [Where("to", it, text="at")])
+                rests = work.source.usual(category_of(work, noun, ()))[1] == "surface" and work.asset_of(head).surfaces
+                at = Where("on" if rests else "to", it, text="on" if rests else "at")
+                added += _add(work, finder, Order("add", order.text), NounPhrase(noun), [at])
     return added

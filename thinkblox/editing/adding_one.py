@@ -14,7 +14,7 @@ from thinkblox.editing.finding import SAME_SIZE
 from thinkblox.editing.goals import LOW_HUNG, At, Goal, Hung, Laid, Related, Spot, Unhidden
 from thinkblox.editing.orders import SAME
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.spots import Pose, between, likely, spots
+from thinkblox.editing.spots import Pose, between, levelled, likely, spots
 from thinkblox.editing.wheres import Bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -97,7 +97,8 @@ def add_one(
     direct = chain(_where_it_was(asset, goals), direct)
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
-    reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
+    poses = levelled(work.scene, asset, goals, direct)
+    reaching = Reaching(work, target, asset, goals, direct=poses, begin=begin, more=likely(work.scene, asset, goals))
     saved = work.saved()
     reached = reaching.run()
     if not reached:

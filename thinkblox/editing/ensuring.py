@@ -1,7 +1,7 @@
 """Orders on how many there are to be, and what is to be larger than it is: no more than is lacking is added."""
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import related
@@ -22,6 +22,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.scene import Scene
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
@@ -113,14 +114,37 @@ def _let_have(work: Work, finder: Finder, order: Order, head: str, phrase: NounP
     if len(mates) > 1:
         mates = mates[: phrase.noun.count] if phrase.noun.count else mates
     finder.scene = work.before = work.scene
-    known = [NounPhrase(dataclasses.replace(phrase.noun, det="the", count=None, id=id), id=id) for id in mates]
     places = [dataclasses.replace(w, whole=it if w.whole is not None else None) for w in phrase.places]
     slots = [slot for where in places for slot in slots_of(where, work.scene[mates[0]].category, finder)]
-    for one, slot in zip(known, slots, strict=False):
+    slots = [slot for slot in slots for _ in range(max(1, len(mates) // len(slots)))]
+    stay = _at_slots(work.scene, mates, slots)
+    known = [NounPhrase(dataclasses.replace(phrase.noun, det="the", count=None, id=id), id=id) for id in mates]
+    go = [one for one in known if one.id not in stay]
+    for one, slot in zip(go, (slot for n, slot in enumerate(slots) if n not in stay.values()), strict=False):
         goals = [related(slot, work.scene[one.id].category)]
         finder.scene = work.scene
         move_one(work, order, one.id, goals)
     finder.recent = [head]
+
+
+def _at_slots(scene: Scene, ids: Sequence[str], slots: Sequence[Bound]) -> dict[str, int]:
+    """Which of some things are already at which of several places, of each of which there is one."""
+    there: dict[str, int] = {}
+    for id in ids:
+        free = [n for n in range(len(slots)) if n not in there.values()]
+        goals = {n: related(slots[n], scene[id].category) for n in free}
+        at = next((n for n in free if goals[n].check(scene, scene, id)[0]), None)
+        there |= {id: at} if at is not None else {}
+    return there
+
+
+def _with_sides(finder: Finder, phrase: NounPhrase) -> str:
+    """The thing at all whose sides so many are to be and no more: "only two chairs, one on each side of the table"."""
+    where = phrase.places[0] if len(phrase.places) == 1 else None
+    part, whole = (where.noun, where.whole) if where is not None else (None, None)
+    sides = part is not None and part.kind == "part" and (part.each or part.plural or part.det in ("all", "both"))
+    ids = finder.ids(NounPhrase(whole, id=whole.id)) if sides and whole is not None and whole.kind == "thing" else ()
+    return ids[0] if len(ids) == 1 else ""
 
 
 def _sides_with_some(finder: Finder, phrase: NounPhrase) -> dict[Bound, str]:
@@ -187,6 +211,11 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         noun = phrase.noun
         if noun.kind != "thing" or noun.definite or phrase.id:
             move(work, finder, Order("move", order.text, things=[phrase], facing=order.facing))
+            continue
+        if order.total and (head := _with_sides(finder, phrase)):
+            sides = 2 if any(w.noun is not None and w.noun.each for w in phrase.places) else 1
+            so_many = dataclasses.replace(phrase, noun=_so_many(phrase.noun, (phrase.noun.count or 1) * sides))
+            _let_have(work, finder, order, head, so_many)
             continue
         if any(w.noun is not None and w.noun.each for w in phrase.places):
             _at_each(work, finder, order, phrase)

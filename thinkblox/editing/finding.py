@@ -108,7 +108,7 @@ class Finder:
         if noun.rows:
             row = tuple(p.id for p in row_of(self.scene, _of_rows(found), noun, phrase.member))
             return self._part(phrase, row) if phrase.share or phrase.left or noun.every else row
-        found = self._told_apart(phrase, found)
+        found = self._called_by_load(noun, self._told_apart(phrase, found))
         if noun.total and noun.total != len(found):
             raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")
         if phrase.share or phrase.left or noun.every:
@@ -215,6 +215,15 @@ class Finder:
         if whose(noun.text) and len(found) > 1:
             found = self._of_somebody(noun, found)
         return found
+
+    def _called_by_load(self, noun: Noun, found: list[Placement]) -> list[Placement]:
+        """Those of several that are called by what rests on them: "the printer cabinet", which is said."""
+        words = {singular(word) for word in noun.called.lower().split()[:-1]} if len(found) > 1 else set()
+        loads = [p for p in self.scene.placements if p.category.rpartition("_")[2] in words]
+        bearing = [p for p in found if any(p.id in self.scene.carriers(load.id) for load in loads)]
+        says = f"'{noun.text}' is taken to be {_ids(bearing)}"
+        self.seen += [says] if len(bearing) == 1 and says not in self.seen else []
+        return bearing or found
 
     def _nearest(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
         """The one that is nearest to what is moved, or farthest from it.
@@ -331,9 +340,13 @@ class Finder:
             return self._other_of_kind(noun)
         one = noun.value in ("it", "one")
         there = [id for id in self.recent if id in self.scene]
-        if noun.det == "both" and len(there) == 1:
-            alike = [p.id for p in self.scene.placements if p.category == self.scene[there[0]].category]
-            there = alike if len(alike) == 2 else there
+        alike = [p.id for p in self.scene.placements if len(there) == 1 and p.category == self.scene[there[0]].category]
+        if noun.det == "both" and len(alike) == 2:
+            there = alike
+        came = len(there) == 1 and self.start is not None and there[0] not in self.start
+        if noun.value == "them" and came and len(alike) > 1:
+            there = alike
+            self.seen.append(f"'{noun.text}' is taken to be {_listed(alike)}")
         return tuple(there[-1:] if one and len(there) > 1 else there)
 
     def _recall(self, noun: Noun) -> None:

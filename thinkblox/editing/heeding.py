@@ -16,19 +16,21 @@ _SHIFTED = (
     "together",
     "scatter",
     "direction",
+    "level",
     "lengths",
     "seated",
     "there",
     "free",
 )
 _LOOKED = ("facing", "backs")
+_TURNED = ("turn", "sense", "direction")
 _MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast"),
+    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast", "level"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
-    "turn": ("things", "places", *_LOOKED, "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
+    "turn": ("things", "places", *_LOOKED, *_TURNED, "company", "mutual", "across", "rest", "spared"),
     "replace": ("things", "instead", "abreast"),
     "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
@@ -49,6 +51,7 @@ SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
     "besides": "which places are excepted",
     "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
+    "across": "what is between them", "level": "how high",
     "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
     "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",
     "room": "the room", "ceiling": "the ceiling", "into": "what it becomes", "free": "what stays free",

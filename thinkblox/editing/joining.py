@@ -30,7 +30,8 @@ def joined(orders: Sequence[Order]) -> list[Order]:
     for order in _with_seats_apart(_of_those_kept(orders)):
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
-        if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
+        goes = last is not None and _takes(last) and order.doing in ("put", "move")
+        if last is not None and goes and (_is_of_it(order) or _share_out(last, order)):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
             joined[-1] = order
@@ -154,6 +155,18 @@ def _is_of_it(order: Order) -> bool:
     return (
         bool(order.things) and order.things[0].noun.kind == "pronoun" and order.things[0].noun.value in ("it", "them")
     )
+
+
+def _share_out(last: Order, order: Order) -> bool:
+    """Let "(take two chairs and put) one at each end" bring each of them to its own place; whether it says so."""
+    taken, one = last.things[-1].noun, order.things[0] if len(order.things) == 1 else None
+    if one is None or (one.noun.kind, one.noun.value) != ("pronoun", "one") or (taken.count or 0) < 2:
+        return False
+    where = one.places[0] if len(one.places) == 1 else None
+    if where is None or where.noun is None or not where.noun.each:
+        return False
+    where.noun = dataclasses.replace(where.noun, det="all", plural=True)
+    return True
 
 
 def _both(last: Order, order: Order) -> list[Where]:

@@ -7,6 +7,7 @@ from thinkblox.assets import facts_of
 from thinkblox.editing.acting import (
     backing,
     centred,
+    level,
     looking,
     mark_names,
     related,
@@ -66,6 +67,7 @@ def goals_of(
     if order.there:
         goals.append(there_where(work, id, finder.left_place(order.text)))
     goals += [Elsewhere(LEFT)] if order.leaves else []
+    goals += [level(finder, noun, order.text) for noun in order.level]
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):
         goals.append(At(work.scene[id].position[:2], SLIGHT))

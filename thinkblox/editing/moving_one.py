@@ -17,6 +17,7 @@ from thinkblox.editing.goals import (
     Apart,
     At,
     Goal,
+    Level,
     Midway,
     Nearing,
     OnSide,
@@ -42,6 +43,7 @@ from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.spots import (
     Pose,
+    levelled,
     likely,
     middle_off,
 )
@@ -132,6 +134,8 @@ def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple
         direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
     if any(isinstance(goal, Apart) for goal in goals):
         direct = chain(moved_aside(work.scene, before, goals), direct)
+    here = [(before.position, before.yaw)]
+    direct = levelled(work.scene, work.asset_of(id), goals, chain(here if _is_level(goals) else (), direct))
     done = _reach_beside(work, id, goals, direct)
     if done is not None and (half := _in_half(order, goals)):
         goals = half
@@ -139,6 +143,11 @@ def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple
     if done is not None and _with_others(work, id, goals):
         done = None
     return done, goals
+
+
+def _is_level(goals: Sequence[Goal]) -> bool:
+    """Whether how high up something is to be is all that is asked."""
+    return bool(goals) and all(isinstance(goal, Level) for goal in goals)
 
 
 def _with_others(work: Work, id: str, goals: Sequence[Goal]) -> bool:

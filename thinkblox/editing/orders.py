@@ -68,6 +68,8 @@ class Order:
         bound: "ge" where such a length is the least, "le" where it is the most.
         company: what goes along with them.
         mutual: how they are to stand to each other.
+        level: as high as what they are to hang; "it" where that is what they hang by.
+        across: what is to be between two that are turned to each other.
         spared: what "everything" does not hold.
         besides: at which of several places nothing is put.
         together: nearer to each other.
@@ -92,6 +94,7 @@ class Order:
         rest: it speaks of everything else.
         away: "take it away".
         there: where something was that the order before has taken away.
+        eached: what comes along comes with each of what comes instead.
         space: it speaks of the space at its places.
         total: it says how many there are to be ("only two chairs").
         centred: at the middle of where they go.
@@ -115,6 +118,8 @@ class Order:
     bound: str = ""
     company: list[NounPhrase] = field(default_factory=list)
     mutual: str = ""
+    level: list[Noun] = field(default_factory=list)
+    across: list[Noun] = field(default_factory=list)
     together: bool = False
     scatter: bool = False
     facing: list[Noun] = field(default_factory=list)
@@ -136,6 +141,7 @@ class Order:
     free: list[Noun] = field(default_factory=list)
     rest: bool = False
     away: bool = False
+    eached: bool = False
     space: bool = False
     total: bool = False
     there: bool = False

@@ -18,9 +18,11 @@ from thinkblox.editing.goals import (
     BySmall,
     Goal,
     Laid,
+    Level,
     MidOf,
     OnWall,
     Related,
+    middle_height,
 )
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import bearing, place_of
@@ -322,6 +324,14 @@ def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> I
         for turn in turns
     ]
     yield from free(scene, asset, poses)
+
+
+def levelled(scene: Scene, asset: Asset, goals: Sequence[Goal], poses: Iterable[Pose]) -> Iterator[Pose]:
+    """The poses as they are, or as high up as is asked."""
+    anchor = next((goal.anchor for goal in goals if isinstance(goal, Level)), "")
+    for (x, y, z), yaw in poses:
+        high = middle_height(scene[anchor]) - asset.size[2] / 2 if anchor else z
+        yield (x, y, round(high, 4)), yaw
 
 
 def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:

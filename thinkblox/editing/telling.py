@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
 from itertools import pairwise
@@ -13,7 +14,7 @@ from thinkblox.editing.finding import Finder, Picks
 from thinkblox.editing.goals import PartOfTop
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import BEARS, BORE, NounPhrase
-from thinkblox.editing.wheres import Bound, bound, opening_named, place_text, walls_of
+from thinkblox.editing.wheres import SIDED, Bound, bound, opening_named, place_text, slots_of, table_of, walls_of
 from thinkblox.errors import InputError
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.english.chunks import Noun
@@ -324,7 +325,7 @@ def _told(
     Raises:
         InputError: none is.
     """
-    for where in said:
+    for where in (_of_their_table(finder, where, found) for where in said):
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
         elif superlative := by_distance(where):
@@ -332,6 +333,20 @@ def _told(
         else:
             found = _by_any(finder, phrase, where, found) or _held(finder, phrase, where, found, just=just)
     return found
+
+
+def _of_their_table(finder: Finder, where: Where, found: Sequence[Placement]) -> Where:
+    """A place, where a side or an end of nothing is that of the one table that most of some seats are drawn up to."""
+    noun = where.noun
+    bare = noun is not None and noun.kind == "part" and noun.value in SIDED and not (noun.owner or where.whole)
+    if not bare or not all(facts_of(p.category).is_in("seating") for p in found):
+        return where
+    at = Counter(table for p in found if (table := table_of(finder.scene, p.id)))
+    if not at or len(at) > 1:
+        return where
+    its = finder.scene[next(iter(at))]
+    whole = Noun("thing", its.category, 0, 0, f"the {its.category.replace('_', ' ')}", det="the", id=its.id)
+    return dataclasses.replace(where, whole=whole)
 
 
 def _by_other(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement] | None:
@@ -356,8 +371,11 @@ def _held(
     Raises:
         InputError: none is.
     """
-    there = bound(where, found[0].category, finder)
-    held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+    part = where.noun is not None and where.noun.kind == "part" and where.noun.plural and where.whole is not None
+    sides = slots_of(where, found[0].category, finder) if part and not where.negated else []
+    there = sides[0] if sides else bound(where, found[0].category, finder)
+    at = sides or [there]
+    held = [p for p in found if p.id not in there.anchors and any(side.holds(finder.scene, p.id) for side in at)]
     if there.seat and not phrase.noun.many:
         held = [p for p in held if _nearest_owner(finder.scene, p, [there.seat]) == there.seat]
     walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
@@ -371,7 +389,7 @@ def _held(
         there = dataclasses.replace(there, kind="at")
         held = [p for p in found if there.holds(finder.scene, p.id)]
         there = dataclasses.replace(there, kind="near")
-    if there.kind in NEARNESS and not (just or there.negated) and len(held) < (phrase.noun.count or 1):
+    if there.kind in NEARNESS and not (just or there.negated or sides) and len(held) < (phrase.noun.count or 1):
         held = _nearly(finder.scene, phrase.noun, found, there)
     if not held:
         says = ", ".join(finder.described(p) for p in found)

@@ -9,7 +9,7 @@ from msgspec import structs
 from shapely import LineString
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, SeatRoom, Straight, Turned
@@ -35,6 +35,8 @@ TURNED = 1.5
 """How far something may be moved that is turned, besides half the difference of its sides [m]."""
 PULLED = (0.45, 0.6, 0.75, 0.9, 1.05, 1.2)
 """How far something is pulled out from its wall where what turns with it has no room [m]."""
+STEPPED = 0.35
+"""How far something may be moved so that it looks straight at a thing, rather than only about [m]."""
 SHIFTED = 0.1
 """How far it may be moved without saying so [m]."""
 ABOUT = 15.0
@@ -170,6 +172,10 @@ def face_each_other(work: Work, finder: Finder, order: Order) -> None:
         raise InputError(f"'{order.text}': two things can face each other; it names {', '.join(ids) or 'none'}")
     for id, other in ((ids[0], ids[1]), (ids[1], ids[0])):
         _turn_to(work, id, [Related("facing", (other,))])
+    sight = LineString([work.scene[id].position[:2] for id in ids])
+    for name in (name for noun in order.across for name in mark_names(finder, NounPhrase(noun, id=noun.id))):
+        if not any(sight.intersects(mark.footprint) for mark in things(work.scene, name)):
+            work.failed.append(f"{name} is not between {ids[0]} and {ids[1]}, which were turned to each other")
     finder.recent = ids
 
 
@@ -243,11 +249,23 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     poses = list(turns(work.scene, before, goals))
+    right = [pose for pose in poses if _looks_right(work, id, pose, goals)]
+    near = (
+        pose
+        for pose in _aimed_about(work, id, _straight(goals, ABOUT))
+        if math.dist(pose[0], before.position) <= STEPPED
+    )
+    begun = chain(right, near, poses)
     if any(isinstance(goal, SeatRoom) for goal in goals):
         poses += list(free(without(work.scene, [id]), work.asset_of(id), _pulled_out(work.scene, before, poses)))
-    failed = reach_goals(work, id, [*goals, there], direct=iter(poses))
+        begun = chain(poses)
+    failed = reach_goals(work, id, [*goals, there], direct=begun)
     say(work, id, before, failed, goals)
     _say_moved(work, before)
+    now = work.scene[id]
+    if failed is None and not _looks_right(work, id, (now.position, now.yaw), goals):
+        marks = [name for goal in goals if isinstance(goal, Related) for name in goal.anchors]
+        work.notes.append(f"{id} was not turned straight to {', '.join(marks)}")
 
 
 def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:
@@ -263,6 +281,14 @@ def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:
         work.done.append(f"{id} turned straight to {', '.join(about[0].anchors)}")
     else:
         work.notes.append(f"{id} was not turned straight to {', '.join(about[0].anchors)}")
+
+
+def _looks_right(work: Work, id: str, pose: Pose, goals: Sequence[Goal]) -> bool:
+    """Whether a thing that is turned so looks right at what it is to face, or straight within ABOUT degrees."""
+    bare = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    turned = bare.with_placement(structs.replace(work.scene[id], yaw=pose[1]), work.asset_of(id))
+    straight = [goal for goal in _straight(goals, ABOUT) if isinstance(goal, Straight)]
+    return all(_is_before_it(turned, id, goal) or goal.check(work.scene, turned, id)[0] for goal in straight)
 
 
 def _is_before_it(scene: Scene, id: str, goal: Goal) -> bool:

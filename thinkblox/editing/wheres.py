@@ -11,7 +11,7 @@ from shapely import Point
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
-from thinkblox.editing.goals import Laid, PartOfTop
+from thinkblox.editing.goals import DrawnUp, Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
 from thinkblox.editing.orders import AWAY_SIDE, NounPhrase
 from thinkblox.errors import InputError
@@ -36,7 +36,9 @@ _NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_
 _OPENINGS = ("window", "door")
 _SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1.0, 0.0), "west_wall": (-1.0, 0.0)}
-_TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
+SIDED = ("side", "end", "long_side", "short_side")
+"""Parts that a thing has two of."""
+_TWO_SIDED = (*SIDED, "head")
 _POINTED = ("that wall", "this wall", "the same wall")
 _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
 """Prepositions after which a plural means each of them."""
@@ -86,6 +88,8 @@ class Bound:
         """Whether an object has the relation, or has it not where it is negated."""
         if self.seat and not self.negated:
             return id in scene and Laid("on", self.anchors, seat=self.seat).check(scene, scene, id)[0]
+        if self.side is not None and not self.negated:
+            return id in scene and DrawnUp("at", self.anchors, side=self.side).check(scene, scene, id)[0]
         return measure(scene, self.kind, id, self.anchors, negated=self.negated).holds
 
 
@@ -227,6 +231,8 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
         return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
     if noun.kind == "place" and noun.value.split()[0] == "corner":
         return several or noun.plural
+    if noun.kind == "pronoun":
+        return noun.det in ("each", "both")
     if noun.kind == "thing":
         return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
     return noun.kind == "place" and several
@@ -458,6 +464,8 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
+    if noun.value == "wall" and noun.states == ["new"]:
+        noun = dataclasses.replace(noun, value=_wall_moved(finder, noun), states=[])
     told = bool(noun.states) or any(word != noun.degree for word in noun.unshown)
     if noun.value == "corner" and told and noun.det in ("a", "any", "another") and not where.negated:
         return Bound("in_corner", _each_corner(finder, where, noun, "")[0])
@@ -590,6 +598,20 @@ def _wall_left(finder: Finder) -> str:
         return ""
     at = [w for w in finder.scene.room.walls if measure(finder.start, "against_wall", gone.id, (w.name,)).holds]
     return min(at, key=lambda w: turn_between(w.yaw, gone.yaw)).name if at else ""
+
+
+def _wall_moved(finder: Finder, noun: Noun) -> str:
+    """The wall that the same instruction has moved: "(make the room wider and put a piano at) the new wall".
+
+    Raises:
+        InputError: it has moved none, or several.
+    """
+    old = finder.start.room.walls if finder.start is not None else finder.scene.room.walls
+    pairs = zip(old, finder.scene.room.walls, strict=True) if len(old) == len(finder.scene.room.walls) else ()
+    moved = [now.name for was, now in pairs if abs(was.coordinates(now.start)[1]) > SAME_LENGTH]
+    if len(moved) != 1:
+        raise InputError(f"'{noun.text}': {', '.join(moved) or 'no wall'} has moved; say which, as 'the north wall'")
+    return moved[0]
 
 
 def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
@@ -777,12 +799,12 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
         raise InputError(f"'{place_text(where)}': there is nothing yet that '{noun.text}' could be")
     kind = _fitting(kind, where, category, anchors[0], finder)
     if kind in ("in_front_of", "at") and facts_of(category).is_in("small") and len(anchors) == 1:
-        table = _table_of(finder.scene, anchors[0])
+        table = table_of(finder.scene, anchors[0])
         return Bound("on", (table,), seat=anchors[0]) if table else Bound(kind, anchors)
     return Bound(kind, anchors)
 
 
-def _table_of(scene: Scene, seat: str) -> str:
+def table_of(scene: Scene, seat: str) -> str:
     """The table that a seat is drawn up to; empty where it is none, or at none."""
     if not facts_of(scene[seat].category).is_in("seating"):
         return ""

@@ -166,10 +166,15 @@ def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[ClauseStart]:
-    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa"."""
+    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa", "only two chairs"."""
     asked = any(token.text in ("please", "pls", "plz") for token in tokens) or _is_terse(tokens)
     first = after_fillers(tokens)
-    return [ClauseStart(first, first, "want")] if asked and first < len(tokens) else []
+    if first >= len(tokens):
+        return []
+    counted = tokens[first].kind == "number" or grammar().at(tokens, first, "count") is not None
+    if counted and any(token.text in ("only", "just") for token in tokens[:first]):
+        return [ClauseStart(0, first, "ensure")]
+    return [ClauseStart(first, first, "want")] if asked else []
 
 
 def _is_terse(tokens: Sequence[Token]) -> bool:

@@ -13,6 +13,7 @@ _LESS = ("smaller", "shorter", "narrower", "lower")
 def finish(draft: OrderDraft) -> None:
     """Settle what only the whole order tells."""
     order = draft.order
+    _is_followed(draft)
     order.slight &= not order.lengths
     if draft.fraction and order.change and not order.change.endswith("="):
         order.times = 1.0 + (-draft.fraction if order.change in _LESS else draft.fraction)
@@ -40,6 +41,12 @@ def finish(draft: OrderDraft) -> None:
     _nearer_one(draft)
     _beside_one(draft)
     _looked(draft)
+
+
+def _is_followed(draft: OrderDraft) -> None:
+    """Lose what a result is told of where that has asked for nothing: "so that people feel at home"."""
+    if draft.so and draft.unsaid == repr(draft.order):
+        draft.order.lost += [phrase.text for phrase in draft.so]
 
 
 def _along(draft: OrderDraft) -> None:

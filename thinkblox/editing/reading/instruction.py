@@ -23,6 +23,7 @@ from thinkblox.editing.reading.rewording import (
     reworded,
     something_instead,
     uncontracted,
+    with_borne,
     with_heads,
     with_ids,
     with_new_on_it,
@@ -66,7 +67,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     more = with_settings(with_more_said(lexicon, read))
     again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(more))))
     owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
-    said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
+    said = something_instead(reworded(in_its_place(with_borne(with_new_on_it(without_rather_than(owned))))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)

@@ -125,7 +125,7 @@ def _marker(draft: OrderDraft, key: str) -> None:
         case "away" | "rest" | "there" | "centred":
             setattr(order, key, True)
         case "so" | "unblock":
-            draft.mode, draft.so = key, []
+            draft.mode, draft.so, draft.unsaid = key, [], repr(order)
         case "together":
             order.mutual = "next_to"
         case _:

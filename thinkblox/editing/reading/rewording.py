@@ -129,6 +129,39 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
     return False
 
 
+_LARGE = ("big", "large", "wide", "long")
+_HOLDING = ("for", "to hold", "to fit", "to take", "to fit under", "to cover", "to go under", "to reach under")
+
+
+def with_borne(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(a rug) big enough for the chairs" as "; make it bigger so that the chairs are on it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 3)):
+        if tokens[at].text != "enough" or tokens[at - 1].text not in _LARGE:
+            continue
+        said = " ".join(token.text for token in tokens[at + 1 : at + 4])
+        held = next((words for words in _HOLDING[::-1] if f"{said} ".startswith(f"{words} ")), "")
+        begin = at - 3 if [t.text for t in tokens[at - 3 : at - 1]] in (["that", "is"], ["which", "is"]) else at - 1
+        verb = next((n for n in range(begin - 1, -1, -1) if longest("verbs", tokens, n) is not None), None)
+        rug = verb is not None and any(_lies_flat(tokens, n) for n in range(verb + 1, begin))
+        after = at + 1 + len(held.split())
+        end = next((n for n in range(after, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
+        if not held or not rug or after >= end or tokens[after].text not in (*_ARTICLES, "all", "both"):
+            continue
+        makes = [replace(token, start=-1) for token in tokenise("; make it bigger so that")]
+        shown = " ".join(token.shown for token in tokens[begin:after])
+        makes[1] = replace(makes[1], shown=shown, start=tokens[begin].start)
+        ends = [replace(token, start=-1) for token in tokenise("are on it")]
+        left[begin:end] = [*makes, *tokens[after:end], *ends]
+    return left
+
+
+def _lies_flat(tokens: Sequence[Token], at: int) -> bool:
+    """Whether something is named there that lies flat on the floor: "a rug"."""
+    thing = load("en").longest(list(tokens), at).entry("object")
+    return thing is not None and facts_of(thing.value).is_in("covers")
+
+
 def in_its_place(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "instead of it (I want a bench)", behind another sentence, as "in its place".
 
