@@ -80,8 +80,9 @@ def on_neighbour(work: Work, category: str, noun: Noun, here: Sequence[Bound], g
         return ""
     mark, saved, said = things(scene, anchors[0])[0], work.saved(), len(work.failed)
     away = {id: ground_gap(things(scene, id)[0], mark) for id in usual_carriers(scene, category) if id != anchors[0]}
+    side = beside[0].kind if beside[0].kind in ("left_of", "right_of") else "near"
     for carrier in sorted((id for id in away if away[id] <= NEIGHBOUR), key=lambda id: away[id]):
-        on: list[Goal] = [Related("near", (anchors[0],)), Related("on", (carrier,))]
+        on: list[Goal] = [Related(side, (anchors[0],)), Related("on", (carrier,))]
         if id := add_one(work, category, noun, on):
             return id
         work.restore(saved)

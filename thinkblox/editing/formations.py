@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain, product
+from itertools import chain, islice, product
 
 from thinkblox.editing.acting import mark_names, moved_words
 from thinkblox.editing.carrying import put_back, take
@@ -42,6 +42,10 @@ TOUCHING = 0.01
 
 Cell = tuple[Vec2, float]
 """A spot of the floor [m], and where who sits there looks, or the yaw of what stands there [degrees]."""
+
+
+MOST_MEASURED = 40
+"""Most ways to stand that are measured."""
 
 
 @dataclass(frozen=True)
@@ -103,9 +107,8 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
     said_so = bool(order.facing or any(w.word == "facing" for p in order.things for w in p.places))
     turns = (0.0, 90.0, 180.0, 270.0) if formation.in_u else (0.0, 90.0) if formation.grouped else (0.0,)
     ways = [gaze] if said_so else [(gaze + turn) % 360.0 for turn in turns]
-    for cells in chain.from_iterable(_cells(before, ids, formation, way) for way in ways):
-        if not _look_free(before, ids, cells):
-            continue
+    laid = chain.from_iterable(_cells(before, ids, formation, way) for way in ways)
+    for cells in islice((cells for cells in laid if _look_free(before, ids, cells)), MOST_MEASURED):
         failed = _moved(work, before, ids, cells)
         if not failed:
             work.done += [moved_words(before[p.id], p) for p in work.scene.placements if p != before[p.id]]

@@ -10,7 +10,7 @@ from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.rows import rows_of_all
-from thinkblox.editing.telling import named, spare
+from thinkblox.editing.telling import named, of_their_table, spare
 from thinkblox.editing.wheres import bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -98,11 +98,13 @@ def _at_each(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """
     noun = phrase.noun
     where = next((w for w in phrase.places if w.noun is not None and w.noun.each and not w.negated), None)
-    if where is None or not noun.count or noun.definite or noun.kind != "thing":
+    count = noun.count or (noun.det == "a")
+    if where is None or not count or noun.definite or noun.kind != "thing":
         return ()
     found = finder.matching(replace(noun, plural=True, count=None))
     if not found:
         raise finder.nothing(noun.text)
+    where = of_their_table(finder, where, found)
     category, taken = found[0].category, list[str]()
     for slot in slots_of(where, category, finder):
         goals = [related(slot, category), related(replace(slot, kind="at"), category)]
@@ -111,9 +113,9 @@ def _at_each(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
             for goal in goals
         ]
         held = there[0] or (there[1] if slot.anchors else [])
-        if len(held) < noun.count:
+        if len(held) < count:
             raise InputError(f"'{phrase.text}': there are only {len(held)} at {' and '.join(slot.anchors)}")
-        taken += held[-noun.count :]
+        taken += held[-count:]
     return tuple(taken)
 
 

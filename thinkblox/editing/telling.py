@@ -325,7 +325,7 @@ def _told(
     Raises:
         InputError: none is.
     """
-    for where in (_of_their_table(finder, where, found) for where in said):
+    for where in (of_their_table(finder, where, found) for where in said):
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
         elif superlative := by_distance(where):
@@ -335,7 +335,7 @@ def _told(
     return found
 
 
-def _of_their_table(finder: Finder, where: Where, found: Sequence[Placement]) -> Where:
+def of_their_table(finder: Finder, where: Where, found: Sequence[Placement]) -> Where:
     """A place, where a side or an end of nothing is that of the one table that most of some seats are drawn up to."""
     noun = where.noun
     bare = noun is not None and noun.kind == "part" and noun.value in SIDED and not (noun.owner or where.whole)

@@ -112,6 +112,8 @@ def _upon(found: Bound, category: str, finder: Finder) -> Bound:
         return found
     if found.anchors[0] not in finder.scene or finder.scene[found.anchors[0]].support not in finder.scene:
         return found
+    if facts_of(finder.scene[found.anchors[0]].category).is_in("built_in"):
+        return found
     return dataclasses.replace(found, upon=finder.scene[found.anchors[0]].support)
 
 
@@ -457,7 +459,10 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
         return sided
     if noun.det != "other":
         return "end" if noun.value == "end" else ""
-    ahead, left = thing.to_local(_here(finder, place_text(where)).position[:2])
+    here = _here(finder, place_text(where))
+    if thing.support in finder.scene and here.support != anchor:
+        return ""
+    ahead, left = thing.to_local(here.position[:2])
     if thing.size[0] > thing.size[1]:
         return "back" if ahead > 0 else "front"
     return "right" if left > 0 else "left"

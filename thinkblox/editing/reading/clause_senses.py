@@ -150,9 +150,7 @@ def _fewer(clause: Clause) -> Clause | None:
     at = next((n for n, t in enumerate(tokens) if t.text in ("less", "fewer") and not _is_bound(tokens, n)), None)
     if at is None:
         return None
-    if any(t.text in ("each", "every", "all") for t in tokens) or (
-        at + 1 < len(tokens) and tokens[at + 1].text == "than"
-    ):
+    if any(t.text == "all" for t in tokens) or (at + 1 < len(tokens) and tokens[at + 1].text == "than"):
         raise InputError(f"'{clause.text}' does not say which go; say 'remove two of the tables'")
     return Clause("remove", "", (*tokens[:at], *tokens[at + 1 :]), clause.text)
 

@@ -184,7 +184,8 @@ def _is_terse(tokens: Sequence[Token]) -> bool:
     """
     first = after_fillers(tokens)
     said = [token for token in tokens[first:] if token.text not in (*ENDS, ",", "and")]
-    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or means("anybody", said[0].text):
+    person = said[0].text != "one" and means("anybody", said[0].text) if said else ""
+    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or person:
         return False
     verbs = any(
         grammar().at(said, n, "verbs", "conditions") is not None
