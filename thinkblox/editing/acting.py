@@ -145,6 +145,10 @@ def prefer_sides(
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What distances are measured to: ids, or a part of the room."""
     noun = phrase.noun
+    told = next((w.noun for w in phrase.places if w.word == "with"), None)
+    if noun.kind == "place" and noun.value == "wall" and told is not None:
+        wall = replace(noun, text="the wall with")
+        return bound(Where("against", wall, whole=told, text="against"), "", finder).anchors
     if noun.kind == "place":
         if not things(finder.scene, noun.value.split()[0]):
             raise InputError(f"the room has no {noun.value.replace('_', ' ')}")

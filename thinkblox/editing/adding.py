@@ -8,7 +8,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.editing.acting import centred, level, looking, mark_names
 from thinkblox.editing.adding_goals import abreast, compared, related_to_those, there_where, under_each
 from thinkblox.editing.adding_one import MOST, add_one, category_of
-from thinkblox.editing.adding_places import besides, how_many, of_those, one_at, there_already
+from thinkblox.editing.adding_places import besides, how_many, not_bearing, of_lacking, of_those, one_at, there_already
 from thinkblox.editing.adding_unsaid import at_their_table, at_window, on_neighbour, on_usual
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, Related
@@ -82,9 +82,11 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     finder.about = one_at(finder, phrase, places)
     places = anchored(finder, places)
     within, places = _with(places)
+    places, load = of_lacking(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
+    slots = not_bearing(finder, slots, load) if load is not None else slots
     slots = besides(finder, order, phrase, slots)
     if (lying := there_already(work, noun, guess, slots)) is not None:
         return lying

@@ -24,7 +24,8 @@ def under_each(where: Bound) -> list[Bound]:
 def abreast(goals: list[Goal], order: Order, came: Sequence[str]) -> list[Goal]:
     """What is asked of the second of several side by side, or across from one thing: to look where the first does."""
     related_ = [goal for goal in goals if isinstance(goal, Related) and not goal.negated]
-    if not came or not (order.mutual == "next_to" or any(isinstance(goal, Across) for goal in goals)):
+    beside = order.mutual == "next_to" or _stand_in_line(order, goals)
+    if not came or not (beside or any(isinstance(goal, Across) for goal in goals)):
         return goals
     looks = [Related("facing", goal.anchors) for goal in related_ if goal.kind in ("opposite", "facing")]
     return [*(goal for goal in goals if goal not in related_), *looks, Abreast("next_to", (came[-1],))]
@@ -36,6 +37,11 @@ def there_where(work: Work, spot: Placement, category: str) -> list[Goal]:
     stands = spot.support == "floor" and mount in ("floor", "surface")
     rests = spot.support in work.scene and mount == "surface"
     return [there, Related("on", (spot.support,))] if stands or rests else [there]
+
+
+def _stand_in_line(order: Order, goals: Sequence[Goal]) -> bool:
+    """Whether several are to stand in one line, at the place of the first: what hangs over a thing hangs over it."""
+    return order.in_line and not any(isinstance(goal, Related) and goal.kind == "above" for goal in goals)
 
 
 def compared(finder: Finder, category: str, nearer: bool, other: NounPhrase) -> Goal:

@@ -111,6 +111,27 @@ def of_those(finder: Finder, places: list[Where], slots: list[list[Bound]]) -> t
     return places, slots
 
 
+def of_lacking(places: Sequence[Where]) -> tuple[list[Where], Noun | None]:
+    """The places without what each of several is told by that it does not carry: "on each table without a plate"."""
+    each = any(w.noun is not None and w.noun.kind == "thing" and w.noun.each and not w.negated for w in places)
+    said = [w for w in places if each and w.word == "without" and w.noun is not None and w.noun.kind == "thing"]
+    return [w for w in places if w not in said], said[0].noun if said else None
+
+
+def not_bearing(finder: Finder, slots: list[list[Bound]], load: Noun) -> list[list[Bound]]:
+    """Of several places those at what carries no such thing.
+
+    Raises:
+        InputError: there is no such place among them.
+    """
+    loads = finder.matching(replace(load, det="all", count=None, plural=True))
+    carriers = {id for p in loads for id in finder.scene.carriers(p.id)}
+    left = [[slot for slot in bounds if not carriers & {*slot.anchors}] for bounds in slots]
+    if not all(left):
+        raise InputError(f"none of {', '.join(s.anchors[0] for s in slots[0] if s.anchors)} is without {load.text}")
+    return left
+
+
 def how_many(noun: Noun, places: Sequence[Where], several: int) -> int:
     """How many are added: of several places so many at each, unless the number is that of the places."""
     if several < 2:

@@ -14,7 +14,7 @@ from thinkblox.editing.moving import move
 from thinkblox.editing.moving_one import move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.telling import BELONGING
+from thinkblox.editing.telling import BELONGING, named
 from thinkblox.editing.wheres import Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -217,7 +217,7 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
             so_many = dataclasses.replace(phrase, noun=_so_many(phrase.noun, (phrase.noun.count or 1) * sides))
             _let_have(work, finder, order, head, so_many)
             continue
-        if any(w.noun is not None and w.noun.each for w in phrase.places):
+        if any(map(_is_of_each, phrase.places)):
             _at_each(work, finder, order, phrase)
             continue
         there = held(finder, phrase)
@@ -236,18 +236,35 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         finder.scene = work.scene
 
 
+def _is_of_each(where: Where) -> bool:
+    """Whether it speaks of each of several things, as what several have is had by each: "give the tables a lamp"."""
+    noun = where.noun
+    had = noun is not None and noun.kind == "thing" and noun.many and where.word == "to" and not where.negated
+    return noun is not None and (noun.each or had)
+
+
 def _at_each(work: Work, finder: Finder, order: Order, phrase: NounPhrase) -> None:
     """Add to each of several places what is lacking there: "every table should have four chairs"."""
     noun, alike = phrase.noun, finder.matching(phrase.noun)
-    where = next(w for w in phrase.places if w.noun is not None and w.noun.each)
+    where = next(filter(_is_of_each, phrase.places))
+    told = [w for w in phrase.places if w is not where and w.noun is not None and w.noun.kind == "place"]
+    of = dataclasses.replace(where.noun, det="all", plural=True) if where.noun is not None else noun
+    meant = named(finder, NounPhrase(of), told) if told else ()
+    where = dataclasses.replace(where, noun=of)
+    phrase = dataclasses.replace(phrase, places=[w for w in phrase.places if w not in told])
     more = 0
     for slot in slots_of(where, noun.value if noun.named else "", finder):
+        if told and not {*slot.anchors} & {*meant}:
+            continue
         goal = related(slot, alike[0].category) if alike else None
         there = [p.id for p in alike if goal is not None and goal.check(work.scene, work.scene, p.id)[0]]
         lacking = (noun.count or 1) - len(there)
+        more += abs(lacking) if lacking > 0 or order.total else 0
+        if lacking < 0 and order.total:
+            take_away(work, work.touched(there[lacking:]))
+            finder.scene = work.scene
         if lacking <= 0:
             continue
-        more += lacking
         at = Noun("thing", work.scene[slot.anchors[0]].category, 0, 0, "it", det="the", id=slot.anchors[0])
         here = dataclasses.replace(phrase, noun=_so_many(noun, lacking), places=[dataclasses.replace(where, noun=at)])
         add(work, finder, Order("add", order.text, things=[here], facing=order.facing, closer=order.closer))

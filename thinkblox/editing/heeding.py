@@ -11,6 +11,7 @@ _SHIFTED = (
     "backs",
     "abreast",
     "touching",
+    "in_line",
     "company",
     "mutual",
     "together",
@@ -26,7 +27,7 @@ _LOOKED = ("facing", "backs")
 _TURNED = ("turn", "sense", "direction")
 _MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast", "level"),
+    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast", "level", "in_line"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
@@ -59,7 +60,7 @@ SAID = {
     "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
     "backs": "what its back is to", "bears": "what is to be on it", "abreast": "side by side",
-    "touching": "without a gap",
+    "touching": "without a gap", "in_line": "in a row",
 }  # fmt: skip
 """What a field says, in words."""
 

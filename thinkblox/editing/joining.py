@@ -30,7 +30,7 @@ def joined(orders: Sequence[Order]) -> list[Order]:
     for order in _with_seats_apart(_of_those_kept(orders)):
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
-        goes = last is not None and _takes(last) and order.doing in ("put", "move")
+        goes = last is not None and _takes(last) and order.doing in ("put", "move") and not _is_larger_one(last)
         if last is not None and goes and (_is_of_it(order) or _share_out(last, order)):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
@@ -149,6 +149,12 @@ def _takes(order: Order) -> bool:
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
     placed = any(w.word != "from" and not by_distance(w) for w in places)
     return order.doing == "move" and alone and bool(order.things) and not placed
+
+
+def _is_larger_one(order: Order) -> bool:
+    """Whether it gets "a bigger desk", which makes the one that is there so before that is put somewhere."""
+    noun = order.things[-1].noun
+    return noun.kind == "thing" and noun.det == "a" and bool(means("comparatives", noun.degree))
 
 
 def _is_of_it(order: Order) -> bool:

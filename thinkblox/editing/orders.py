@@ -101,6 +101,7 @@ class Order:
         leaves: they leave the part of the room that they are in.
         abreast: beside each other, turned the same way.
         touching: they are to have no gap between them.
+        in_line: they stand in one line.
         bears: what is to be on it then.
         purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
@@ -150,6 +151,7 @@ class Order:
     leaves: bool = False
     abreast: bool = False
     touching: bool = False
+    in_line: bool = False
     bears: list[NounPhrase] = field(default_factory=list)
     purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)

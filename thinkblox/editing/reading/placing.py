@@ -39,7 +39,9 @@ def place(draft: OrderDraft, where: Where) -> None:
     _refer(draft, where)
     if takes_along(draft, where) or (on_it and takes_rider(draft, where)):
         return
-    if draft.distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
+    of_wall = bool(order.closer) and where.word == "with"
+    far_off = draft.distance and bool(order.lengths) and where.word not in ("between", "to", "along")
+    if far_off and where.noun is not None and not of_wall:
         draft.distance = False
         phrase = NounPhrase(where.noun, id=where.noun.id)
         order.apart.append((order.lengths.pop()[0], phrase))

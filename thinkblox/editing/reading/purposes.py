@@ -179,13 +179,15 @@ def _without_whole(tokens: list[Token], at: int) -> list[Token]:
     Nor with "(take out the armchair) to make space (for it)", which that does by itself.
     """
     begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    verbs = [found[0] for n in range(begin, at) if (found := longest("verbs", tokens, n)) is not None]
     room = longest("making_room", tokens, at + 1)
     if room is not None:
         end = at + 1 + room[1]
-        verbs = [found[0] for n in range(begin, at) if (found := longest("verbs", tokens, n)) is not None]
         ends = end == len(tokens) or tokens[end].text in (*ENDS, *_PARTING)
         gone = verbs[-1:] == ["remove"] or tokens[at - 1].text in ("out", "away")
         return _cut(tokens, at, end) if ends and gone else tokens
+    if verbs[-1:] == ["remove"] and at + 1 < len(tokens) and means("aims", tokens[at + 1].text):
+        return _cut(tokens, at, _end(tokens, at + 1))
     words = [token.text for token in tokens[at + 1 : at + 3]]
     makes = words[:1] and words[0] in ("make", "form", "create", "get") and words[1:] and words[1] in ("a", "an", "one")
     joined = any(token.text == "together" for token in tokens[begin:at])
