@@ -35,7 +35,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "replace": ("things", "instead", "abreast"),
     "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
-    "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
+    "rearrange": ("mutual", "things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
     "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction", "bears"),
     "free": ("things", "places", "free", "space", "room", "rest", "spared", "away", "lengths"),

@@ -64,12 +64,12 @@ def _takes_height(draft: OrderDraft, where: Where) -> bool:
     order, noun = draft.order, where.noun
     if noun is None or order.doing not in ("add", "put", "move"):
         return False
+    beside = [w.noun for w in draft.places() if w.word in ("next_to", "left_of", "right_of", "near", "by")]
     words = where.text.lower().split()
     if words[-1:] == ["with"] and {"level", "height"} & {*words} and noun.kind in ("thing", "pronoun"):
-        order.level = [noun]
+        order.level = [mark for mark in beside[-1:] if is_it(noun) and mark is not None] or [noun]
         return True
     same = noun.kind == "abstract" and noun.word in ("height", "level") and "same" in noun.text.lower().split()
-    beside = [w.noun for w in draft.places() if w.word in ("next_to", "left_of", "right_of", "near", "by")]
     order.level = [mark for mark in beside[-1:] if same and mark is not None]
     return bool(order.level)
 
