@@ -8,6 +8,7 @@ from tests.edited_rooms import bedroom, built, dining, living, room, same_but
 from tests.test_editing_guard import classroom, done
 from thinkblox import Scene, edit_room
 from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.remarks import LEGS, legroom
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import bearing
 from thinkblox.scene.landmarks import things
@@ -251,3 +252,80 @@ def test_a_vase_with_flowers_is_one_thing_also_where_each_has_one() -> None:
     new = [p.category for p in after.placements if p.support.startswith("nightstand")]
     assert len(new) == 2
     assert set(new) == {"vase_with_flowers"}
+
+
+# --- what was wrong in silence
+
+
+def test_a_seat_that_comes_to_face_a_window_stands_off_its_wall() -> None:
+    before = built(room(), ("sofa_1", 4.4, 4.5, 270.0, "floor"))
+    for said in ("The sofa should look at the window", "Move the sofa so that it faces the window"):
+        after = done(before, said).scene
+        assert measure(after, "facing", "sofa_1", ("window_1",)).holds
+        assert legroom(after, "sofa_1") >= LEGS
+
+
+def test_out_of_the_way_and_where_to_is_to_that_place() -> None:
+    before = living().without("vase_1")
+    after = done(before, "Move the coffee table out of the way, against the wall.").scene
+    assert measure(after, "against_wall", "coffee_table_1", ("wall",)).holds
+    assert same_but(before, after, "coffee_table_1")
+
+
+def test_where_a_thing_is_taken_is_not_where_it_goes() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("plant_1", 1.5, 0.6, 0.0, "floor"),
+                   ("plant_2", 5.4, 4.4, 0.0, "floor"), ("bookcase_1", 0.3, 3.0, 0.0, "floor"))  # fmt: skip
+    after = done(before, "Take the plant next to the sofa and put it next to the bookcase.").scene
+    assert measure(after, "next_to", "plant_1", ("bookcase_1",)).holds
+    assert same_but(before, after, "plant_1")
+
+
+def test_two_are_taken_away_one_from_each_side() -> None:
+    after = done(seated().without("chair_5"), "Take away two chairs, one from each side of the table.").scene
+    assert sorted(after[id].position[1] > 2.5 for id in ids(after, "chair")) == [False, True]
+
+
+def test_so_many_that_are_wanted_two_on_each_side_are_all_there_are() -> None:
+    before = seated().without("chair_5").without("chair_3")
+    after = done(before, "I want four chairs, two on each side of the table.").scene
+    assert sorted(after[id].position[1] > 2.5 for id in ids(after, "chair")) == [False, False, True, True]
+
+
+def test_a_heap_of_things_is_told() -> None:
+    assert "in a pile" in read_instruction("Put the books in a stack on the table").unknown
+
+
+def test_the_back_ones_are_those_farthest_from_the_door() -> None:
+    rows = [("round_table", x, y) for y in (1.8, 3.8) for x in (1.5, 4.5)]
+    before = built(room(), *((f"dining_table_{n + 1}", x, y, 0.0, "floor") for n, (_, x, y) in enumerate(rows)))
+    assert ids(done(before, "Remove the two back tables").scene, "dining_table") == {"dining_table_1", "dining_table_2"}
+    with pytest.raises(InputError, match="could be"):
+        edit_room(before, "Remove the front table")
+
+
+def test_the_same_one_of_every_row() -> None:
+    before = classroom()
+    for said in ("Remove the desk in the middle of each row", "Remove the second desk in every row"):
+        gone = {p.id for p in before.placements} - {p.id for p in done(before, said).scene.placements}
+        assert gone == {"school_desk_2", "school_desk_5"}
+
+
+def test_a_gap_is_widened_with_the_seats_of_the_table() -> None:
+    before = built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"), ("chair_1", 2.6, 1.75, 90.0, "floor"),
+                   ("chair_2", 2.6, 3.25, 270.0, "floor"), ("fridge_1", 0.4, 2.5, 0.0, "floor"))  # fmt: skip
+    after = done(before, "Widen the gap between the table and the fridge by 20 cm.").scene
+    gaps = [s["dining_table_1"].footprint.distance(s["fridge_1"].footprint) for s in (before, after)]
+    assert math.isclose(gaps[1] - gaps[0], 0.2, abs_tol=0.02)
+    assert all(measure(after, "at", id, ("dining_table_1",)).holds for id in ("chair_1", "chair_2"))
+
+
+def test_no_gap_between_them() -> None:
+    before = built(room(), ("bookcase_1", 3.0, 4.8, 270.0, "floor"), ("bookcase_2", 0.3, 1.5, 0.0, "floor"))
+    after = done(before, "Move bookcase_2 to the left of bookcase_1, no gap between them.").scene
+    assert after["bookcase_1"].footprint.distance(after["bookcase_2"].footprint) <= 0.07
+    assert measure(after, "left_of", "bookcase_2", ("bookcase_1",)).holds
+
+
+def test_what_is_made_smaller_makes_space() -> None:
+    after = done(bedroom(), "Make the bed narrower so that there is more space next to it.").scene
+    assert after["bed_1"].size[1] < bedroom()["bed_1"].size[1]

@@ -162,6 +162,8 @@ def looking(finder: Finder, noun: Noun) -> Goal:
     """What something is to face, as a goal."""
     if noun.kind == "room":
         return IntoRoom()
+    if noun.kind == "people":
+        return Related("facing", bound(Where("facing", noun, text="facing"), "", finder).anchors)
     if noun.kind == "part" and noun.value == "middle":
         return Related("facing", ("centre",))
     if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:

@@ -4,7 +4,7 @@ import dataclasses
 from collections.abc import Sequence
 
 from thinkblox.editing.grammar import means
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import HERE, NounPhrase, Order
 from thinkblox.editing.telling import by_distance
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -31,6 +31,7 @@ def joined(orders: Sequence[Order]) -> list[Order]:
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
         goes = last is not None and _takes(last) and order.doing in ("put", "move") and not _is_larger_one(last)
+        goes |= last is not None and _grasps(last) and order.doing in ("put", "move")
         if last is not None and goes and (_is_of_it(order) or _share_out(last, order)):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
@@ -149,6 +150,16 @@ def _takes(order: Order) -> bool:
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
     placed = any(w.word != "from" and not by_distance(w) for w in places)
     return order.doing == "move" and alone and bool(order.things) and not placed
+
+
+def _grasps(order: Order) -> bool:
+    """Whether "take the plant next to the sofa" says where a thing is that goes somewhere then, and marks it so."""
+    grasped = order.doing == "move" and bool(means("grasping", order.text.split(" ", 1)[0].lower()))
+    if not grasped or len(order.things) != 1 or order.closer or order.direction or order.seated or order.away:
+        return False
+    places = order.things[0].places
+    order.things[0].places = [dataclasses.replace(w, text=f"{HERE}{w.text}") for w in places]
+    return True
 
 
 def _is_larger_one(order: Order) -> bool:

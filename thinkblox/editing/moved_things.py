@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.grammar import means
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import HERE, NounPhrase, Order
 from thinkblox.editing.telling import anchored, by_distance, named, spare
 from thinkblox.editing.wheres import SIDED, bound, slots_of
 from thinkblox.editing.work import Work
@@ -104,8 +104,8 @@ def split_places(
     finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
-    here = [w for w in places if w.word in ("from", "of")]
-    rest = [w for w in places if w.word not in ("from", "of")]
+    here = [w for w in places if w.word in ("from", "of") or w.text.startswith(HERE)]
+    rest = [w for w in places if w not in here]
     if phrase.places is not places and not phrase.places:
         return here, rest
     if order.together and phrase.noun.definite and _CLOSER_TOGETHER.search(order.text):

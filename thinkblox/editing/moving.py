@@ -61,7 +61,7 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
-    if order.touching:
+    if order.touching and not any(phrase.places for phrase in order.things):
         raise InputError(f"'{order.text}': without a gap to what? Say 'against the bed', or 'side by side'")
     if order.besides:
         raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")

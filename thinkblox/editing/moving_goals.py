@@ -107,7 +107,7 @@ def _at_place(
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
-    yield from _strictly(work, finder, where, there, category)
+    yield from _strictly(work, finder, where, there, category, touching=order.touching)
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
@@ -119,7 +119,9 @@ def _at_place(
     yield related(there, category, index, count)
 
 
-def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+def _strictly(
+    work: Work, finder: Finder, where: Where, there: Bound, category: str, *, touching: bool
+) -> Iterator[Goal]:
     """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
@@ -131,7 +133,8 @@ def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: 
         yield Central()
     if there.kind == "in_front_of" and not there.negated and _sits_before(work, there.anchors, category):
         yield Related("at", there.anchors)
-    if there.kind == "next_to" and where.word == "against" and not there.negated:
+    against = (there.kind == "next_to" and where.word == "against") or (touching and all(map(is_object, there.anchors)))
+    if against and not there.negated:
         yield Apart(there.anchors, AT_IT, "le")
 
 

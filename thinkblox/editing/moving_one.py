@@ -49,7 +49,7 @@ from thinkblox.editing.spots import (
 )
 from thinkblox.editing.stepping import by_step
 from thinkblox.editing.taking_place import THERE, at_spot, is_there
-from thinkblox.editing.turning import straighten, turn_by
+from thinkblox.editing.turning import make_legroom, straighten, turn_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
@@ -77,6 +77,7 @@ def move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> N
         move_one(work, order, id, goals)
     if order.facing and order.turn is None and id in work.scene:
         straighten(work, id, goals)
+        make_legroom(work, work.scene[id], goals)
     if order.turn is not None:
         turn_by(work, id, order)
 

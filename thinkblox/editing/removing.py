@@ -106,6 +106,7 @@ def _at_each(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         raise finder.nothing(noun.text)
     where = of_their_table(finder, where, found)
     category, taken = found[0].category, list[str]()
+    count = 1 if where.text.lower().startswith("one ") else count
     for slot in slots_of(where, category, finder):
         goals = [related(slot, category), related(replace(slot, kind="at"), category)]
         there = [

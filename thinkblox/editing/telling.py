@@ -14,6 +14,7 @@ from thinkblox.editing.finding import Finder, Picks
 from thinkblox.editing.goals import PartOfTop
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import BEARS, BORE, NounPhrase
+from thinkblox.editing.rows import rows_of
 from thinkblox.editing.wheres import SIDED, Bound, bound, opening_named, place_text, slots_of, table_of, walls_of
 from thinkblox.errors import InputError
 from thinkblox.knowledge.things import are_alike
@@ -134,12 +135,37 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
     if phrase.noun.det == "my" and phrase.noun.text.lower().split()[:1][0] in _THEIRS and not phrase.id:
         ids = _of_owners(finder, phrase)
         return spare(finder, ids, phrase.spared, phrase.noun)
-    ids = _named(finder, phrase, said, picks)
+    ids = _of_each_row(finder, phrase, said) or _named(finder, phrase, said, picks)
     finder.owners, finder.several = list(ids), [*finder.several, *ids]
     left = spare(finder, ids, phrase.spared, phrase.noun if phrase.noun.kind == "thing" else None)
     if ids and not left:
         raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
     return left
+
+
+def _of_each_row(finder: Finder, phrase: NounPhrase, said: Sequence[Where]) -> tuple[str, ...]:
+    """The same one of every row: "the middle desk of each row", "the first desk in every row"; none of other phrases.
+
+    Raises:
+        InputError: a row has no such, or it is not said which.
+    """
+    noun, where = phrase.noun, said[0] if len(said) == 1 else None
+    row = where.whole or where.noun if where is not None else None
+    if where is None or row is None or row.kind != "number" or not row.rows or not row.each or noun.kind != "thing":
+        return ()
+    part = where.noun.value if where.noun is not None and where.noun.kind == "part" else noun.side
+    rows = rows_of(
+        finder.scene, finder.matching(dataclasses.replace(noun, plural=True, count=None, side="", ordinal=0))
+    )
+    rows = [row for row in rows if len(row) > 1]
+    places = {"left": 1, "right": -1, "middle": 0}
+    number = places.get(part) if part else noun.ordinal or None
+    if number is None or (number == 0 and any(len(row) % 2 == 0 for row in rows)) or not rows:
+        raise InputError(f"'{phrase.text}': which of each of {len(rows)} rows is not known; name them by id")
+    at = [len(row) // 2 if number == 0 else number - 1 if number > 0 else number for row in rows]
+    if any(n >= len(row) for n, row in zip(at, rows, strict=True)):
+        raise InputError(f"'{phrase.text}': a row has fewer")
+    return tuple(row[n].id for n, row in zip(at, rows, strict=True))
 
 
 def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:

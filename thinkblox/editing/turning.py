@@ -9,13 +9,14 @@ from msgspec import structs
 from shapely import LineString
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, mark_names, moved_words, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, SeatRoom, Straight, Turned
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import without
+from thinkblox.editing.remarks import LEGS, legroom
 from thinkblox.editing.spots import Pose, at_wall, free, near_offsets
 from thinkblox.editing.telling import named, spare
 from thinkblox.editing.wheres import bound
@@ -261,11 +262,27 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
         begun = chain(poses)
     failed = reach_goals(work, id, [*goals, there], direct=begun)
     say(work, id, before, failed, goals)
+    make_legroom(work, before, [*goals, there])
     _say_moved(work, before)
     now = work.scene[id]
     if failed is None and not _looks_right(work, id, (now.position, now.yaw), goals):
         marks = [name for goal in goals if isinstance(goal, Related) for name in goal.anchors]
         work.notes.append(f"{id} was not turned straight to {', '.join(marks)}")
+
+
+def make_legroom(work: Work, before: Placement, goals: Sequence[Goal]) -> None:
+    """Let a seat that has come to look right at a wall, and did not before, stand off that where it can."""
+    id, scene = before.id, work.scene
+    seat = facts_of(before.category).is_in("seating") and not any(isinstance(goal, SeatRoom) for goal in goals)
+    if not seat or legroom(scene, id) >= LEGS or legroom(work.start, id) < LEGS:
+        return
+    saved, now = work.saved(), scene[id]
+    bare = without(scene, [id, *(rider.id for rider in scene.riders(id))])
+    pulled = free(bare, work.asset_of(id), _pulled_out(scene, now, [(now.position, now.yaw)]))
+    if reach_goals(work, id, [*goals, SeatRoom()], direct=pulled) is None:
+        work.done.append(f"{moved_words(now, work.scene[id])}, so that somebody can sit down on it")
+    else:
+        work.restore(saved)
 
 
 def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:

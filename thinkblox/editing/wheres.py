@@ -9,11 +9,13 @@ from typing import Literal, cast, get_args
 from shapely import Point
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.plurals import singular
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import DrawnUp, Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
 from thinkblox.editing.orders import AWAY_SIDE, NounPhrase
+from thinkblox.editing.rows import rows_of_all
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -254,9 +256,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
     bounds: list[Bound] = []
     for anchor in anchors:
         deep, wide, _ = finder.scene[anchor].size
-        seated = facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in(
-            "tables", "desks"
-        )
+        tables = facts_of(finder.scene[anchor].category).is_in("tables", "desks", "counters")
+        seated = facts_of(category).is_in("seating") and tables
         long = noun.value == "long_side" or (noun.value == "side" and seated and abs(deep - wide) > LONGER)
         across = long == (deep > wide) if long or noun.value != "side" else True
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
@@ -285,14 +286,36 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     if noun is None:
         return None
     if noun.kind == "people":
-        return _thing(where, _thing_of(noun, finder), category, finder, picks)
+        faced = _faced(noun, finder) if where.word in ("facing", "opposite", "to") else None
+        return _thing(where, faced or _thing_of(noun, finder), category, finder, picks)
     if noun.kind == "room":
         return Bound("facing", of_room=True) if where.word in ("facing", "to", "near", "at", "opposite") else None
     if noun.kind == "part":
         return _part(where, noun, category, finder)
     if noun.kind == "place":
         return _place(where, noun, finder)
+    if where.word == "between" and noun.rows and where.second is None:
+        return _between_rows(where, noun, finder)
     return _thing(where, noun, category, finder, picks)
+
+
+def _between_rows(where: Where, noun: Noun, finder: Finder) -> Bound:
+    """Between the only two rows of the room: between what is nearest to the middle of all in either.
+
+    Raises:
+        InputError: there are more of them, or none.
+    """
+    rows = rows_of_all(finder.scene)
+    if len(rows) != 2 or noun.ordinal or noun.rows not in (-1, 2):
+        raise InputError(
+            f"'{place_text(where)}': there are {len(rows)} rows; say which, such as 'the first and the second row'"
+        )
+    every = [p.position for row in rows for p in row]
+    x, y = (sum(spot[axis] for spot in every) / len(every) for axis in (0, 1))
+    kinds = [row[0].category for row in rows]
+    heads = [[p for p in row if p.category == kind] for row, kind in zip(rows, kinds, strict=True)]
+    one, other = (min(row, key=lambda p: math.dist(p.position[:2], (x, y))) for row in heads)
+    return Bound("between", (one.id, other.id), where.negated)
 
 
 def _beside_opening(where: Where, noun: Noun, whole: Noun | None, finder: Finder) -> Bound | None:
@@ -315,6 +338,14 @@ def _across_opening(where: Where, name: str, finder: Finder) -> Bound:
         raise InputError(f"the room has no {name}")
     side: RelationKind = "right_of" if marks[0].to_local(here)[1] > 0 else "left_of"
     return Bound(side, (marks[0].name,), where.negated)
+
+
+def _faced(noun: Noun, finder: Finder) -> Noun | None:
+    """What is in the middle of the front row, at which those sit who look ahead: "the pupils"; None of others."""
+    rows = rows_of_all(finder.scene) if means("audience", singular(noun.word.lower())) else []
+    front = [p for p in rows[0] if p.category == rows[0][0].category and p.id != finder.about] if rows else []
+    at = front[len(front) // 2] if front else None
+    return Noun("thing", at.category, 0, 0, noun.text, det="the", id=at.id) if at is not None else None
 
 
 def _thing_of(noun: Noun, finder: Finder) -> Noun:

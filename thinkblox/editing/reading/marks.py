@@ -121,7 +121,7 @@ def _marker(draft: OrderDraft, key: str) -> None:
         case "round":
             _round(draft)
         case "elsewhere":
-            order.doing = "resite"
+            order.doing, draft.told = "resite", len(draft.places())
         case "away" | "rest" | "there" | "centred":
             setattr(order, key, True)
         case "so" | "unblock":
