@@ -329,3 +329,50 @@ def test_no_gap_between_them() -> None:
 def test_what_is_made_smaller_makes_space() -> None:
     after = done(bedroom(), "Make the bed narrower so that there is more space next to it.").scene
     assert after["bed_1"].size[1] < bedroom()["bed_1"].size[1]
+
+
+def two_tables() -> Scene:
+    """Two square tables with two chairs each, one at either side."""
+    rows = [(f"dining_table_{n}", 1.6 + 2.8 * (n - 1), 2.8, 0.0, "floor") for n in (1, 2)]
+    for n, (x, y, yaw) in enumerate(((1.6, 1.95, 90.0), (1.6, 3.65, 270.0), (4.4, 1.95, 90.0), (4.4, 3.65, 270.0))):
+        rows.append((f"chair_{n + 1}", x, y, yaw, "floor"))
+    return built(room(), *rows)
+
+
+def test_one_of_each_of_several_is_moved_or_replaced() -> None:
+    before = two_tables()
+    after = done(before, "Take one chair from each table and line them up along the north wall").scene
+    moved = [id for id in ids(after, "chair") if after[id] != before[id]]
+    assert {int(id[-1]) > 2 for id in moved} == {False, True}
+    assert len(moved) == 2
+    after = done(before, "Replace one chair at each table with a stool").scene
+    assert len(ids(after, "stool")) == len(ids(after, "chair")) == 2
+
+
+def test_the_other_side_of_several_is_that_of_its_own() -> None:
+    before = built(room(), ("sofa_1", 3.6, 0.6, 90.0, "floor"), ("sofa_2", 3.6, 4.4, 270.0, "floor"),
+                   ("side_table_1", 5.2, 0.4, 90.0, "floor"), ("side_table_2", 2.1, 4.6, 270.0, "floor"))  # fmt: skip
+    after = done(before.without("side_table_1"), "Move the side table to the other side of the sofas").scene
+    assert measure(after, "next_to", "side_table_2", ("sofa_2",)).holds
+    assert after["side_table_2"].position[0] > 3.6
+
+
+def test_too_many_and_so_many_are_enough() -> None:
+    assert len(ids(done(seated(), "There are too many chairs, four are enough.").scene, "chair")) == 4
+
+
+def test_the_other_half_of_the_room_is_across_from_where_it_stands() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"))
+    assert done(before, "Move the sofa to the other half of the room").scene["sofa_1"].position[1] > 2.5
+
+
+def test_only_the_front_row_is_kept() -> None:
+    left = done(classroom(), "Keep only the front row, remove the other desks and chairs.").scene
+    assert ids(left, "school_desk") == {"school_desk_1", "school_desk_2", "school_desk_3"}
+    assert "desk_1" in left
+
+
+def test_the_opposite_side_of_the_room_from_a_door() -> None:
+    before = built(room(), ("sideboard_1", 5.7, 2.5, 180.0, "floor"))
+    after = done(before, "Move the sideboard to the opposite side of the room from the door").scene
+    assert measure(after, "against_wall", "sideboard_1", ("north_wall",)).holds

@@ -99,10 +99,21 @@ def _of_those_kept(orders: Sequence[Order]) -> list[Order]:
     """The orders with "keep four desks and remove the rest" as one by which only four of the desks stay."""
     left: list[Order] = []
     for order in orders:
+        if left and left[-1].doing in ("keep", "only") and _is_of_other_rows(left[-1], order):
+            left[-1].doing = "only"
+            continue
         if left and left[-1].doing == "keep" and _is_rest_of_them(left[-1], order):
             order.doing, order.things, order.rest, order.total = "only", left.pop().things, False, True
         left.append(order)
     return left
+
+
+def _is_of_other_rows(last: Order, order: Order) -> bool:
+    """Whether "(keep only the front row and remove) the other desks and chairs" takes what is in the other rows."""
+    rows = bool(last.things) and all(phrase.noun.rows for phrase in last.things)
+    others = [phrase.noun for phrase in order.things]
+    bare = bool(others) and others[0].det == "other" and not any(phrase.places for phrase in order.things)
+    return rows and order.doing == "remove" and bare and all(noun.det in ("other", "") for noun in others)
 
 
 def _is_rest_of_them(last: Order, order: Order) -> bool:

@@ -210,6 +210,7 @@ def _beside_above(scene: Scene, by: str) -> Iterator[Vec2]:
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     """How many come in place of these: so many as is said, one for "a bench", or as many as there were."""
     each = any(phrase.noun.det == "each" for phrase in order.things)
+    each |= any(w.noun is not None and w.noun.each for phrase in order.things for w in phrase.places)
     if new.count and new.count > MOST:
         raise InputError(f"'{new.text}': one order adds at most {MOST} things")
     if new.count and new.count > 1:

@@ -135,12 +135,41 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
     if phrase.noun.det == "my" and phrase.noun.text.lower().split()[:1][0] in _THEIRS and not phrase.id:
         ids = _of_owners(finder, phrase)
         return spare(finder, ids, phrase.spared, phrase.noun)
-    ids = _of_each_row(finder, phrase, said) or _named(finder, phrase, said, picks)
+    ids = _of_each_row(finder, phrase, said) or _at_each(finder, phrase, said)
+    ids = ids or _named(finder, phrase, said, picks)
     finder.owners, finder.several = list(ids), [*finder.several, *ids]
     left = spare(finder, ids, phrase.spared, phrase.noun if phrase.noun.kind == "thing" else None)
     if ids and not left:
         raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
     return left
+
+
+def _at_each(finder: Finder, phrase: NounPhrase, said: Sequence[Where]) -> tuple[str, ...]:
+    """So many at each of several places: "one chair on each side of the table"; none where that is not said.
+
+    Raises:
+        InputError: there are fewer at one of them.
+    """
+    noun = phrase.noun
+    where = next((w for w in said if w.noun is not None and w.noun.each and not w.negated), None)
+    count = noun.count or int(noun.det == "a")
+    row = where is not None and any(n is not None and n.rows for n in (where.noun, where.whole))
+    if where is None or row or not count or noun.definite or noun.kind != "thing":
+        return ()
+    found = finder.matching(dataclasses.replace(noun, plural=True, count=None))
+    if not found:
+        raise finder.nothing(noun.text)
+    where, taken = of_their_table(finder, where, found), list[str]()
+    count = 1 if where.text.lower().startswith("one ") else count
+    for slot in slots_of(where, found[0].category, finder):
+        left = [p.id for p in found if p.id not in taken]
+        held = [id for id in left if slot.holds(finder.scene, id)]
+        drawn = dataclasses.replace(slot, kind="at", side=None)
+        held = held or [id for id in left if slot.anchors and slot.side is None and drawn.holds(finder.scene, id)]
+        if len(held) < count:
+            raise InputError(f"'{phrase.text}': there are only {len(held)} at {' and '.join(slot.anchors)}")
+        taken += held[-count:]
+    return tuple(taken)
 
 
 def _of_each_row(finder: Finder, phrase: NounPhrase, said: Sequence[Where]) -> tuple[str, ...]:

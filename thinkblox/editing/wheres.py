@@ -377,7 +377,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
             return Bound("in_centre", (top or "centre",), where.negated)
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (walls_of(finder.scene, side),), where.negated) if side else None
-    anchors = finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),))
+    anchors = _its_own(finder, noun, finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),)))
     if noun.value == "side" and noun.count == 1 and where.word != "from":
         raise InputError(f"'{place_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
@@ -391,6 +391,14 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         )
         return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     return _at_part(where, noun, category, finder, anchors)
+
+
+def _its_own(finder: Finder, part: Noun, anchors: tuple[str, ...]) -> tuple[str, ...]:
+    """Of several things at whose other side each of others goes, that which the one in hand is nearest to."""
+    if len(anchors) < 2 or part.det != "other" or finder.about not in finder.scene:
+        return anchors
+    mark = things(finder.scene, finder.about)[0]
+    return (min(anchors, key=lambda id: ground_gap(mark, things(finder.scene, id)[0])),)
 
 
 def _at_part(where: Where, noun: Noun, category: str, finder: Finder, anchors: tuple[str, ...]) -> Bound:

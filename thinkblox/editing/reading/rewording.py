@@ -177,6 +177,7 @@ def _lies_flat(tokens: Sequence[Token], at: int) -> bool:
 
 def counted_to(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "reduce the number of chairs (from eight) to six" as "there should only be six chairs"."""
+    tokens = _too_many(tokens)
     begin = next((n for n, token in enumerate(tokens) if means("counting", token.text)), None)
     end = next((n for n in range(begin or 0, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
     to = next((n for n in range(begin or 0, end) if tokens[n].text == "to"), end)
@@ -191,6 +192,21 @@ def counted_to(tokens: Sequence[Token]) -> list[Token]:
     there[0] = replace(there[0], shown=" ".join(t.shown for t in tokens[begin:first]), start=tokens[begin].start)
     number = [replace(tokens[to + 1], start=tokens[to + 1].start)]
     return [*tokens[:begin], *there, *number, *tokens[first:last], *tokens[end:]] if first < last else list(tokens)
+
+
+def _too_many(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "there are too many chairs, four are enough" as "reduce the chairs to four"."""
+    at = next((n for n in range(1, len(tokens)) if (tokens[n - 1].text, tokens[n].text) == ("too", "many")), None)
+    end = next((n for n in range(at or 0, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
+    if at is None or end + 2 >= len(tokens) or tokens[0].text not in ("there", "we", "i"):
+        return list(tokens)
+    found = longest("wishes", tokens, end + 2)
+    counted = tokens[end + 1].kind == "number" or grammar().at(tokens, end + 1, "count") is not None
+    if found is None or found[0] != "only" or not counted:
+        return list(tokens)
+    first, the, to = (Token(word, word, "word", start=-1) for word in ("reduce", "the", "to"))
+    first = replace(first, shown=" ".join(t.shown for t in tokens[: at + 1]), start=tokens[0].start)
+    return [first, the, *tokens[at + 1 : end], to, tokens[end + 1], *tokens[end + 2 + found[1] :]]
 
 
 def with_its_wall(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
