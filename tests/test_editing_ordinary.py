@@ -7,6 +7,7 @@ import pytest
 from tests.edited_rooms import bedroom, built, dining, living, room, same_but
 from tests.test_editing_guard import classroom, done
 from thinkblox import Scene, edit_room
+from thinkblox.editing.goals import Laid
 from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.remarks import LEGS, legroom
 from thinkblox.errors import InputError
@@ -376,3 +377,21 @@ def test_the_opposite_side_of_the_room_from_a_door() -> None:
     before = built(room(), ("sideboard_1", 5.7, 2.5, 180.0, "floor"))
     after = done(before, "Move the sideboard to the opposite side of the room from the door").scene
     assert measure(after, "against_wall", "sideboard_1", ("north_wall",)).holds
+
+
+@pytest.mark.parametrize("said", ["Pair up the desks", "Push the desks together in pairs"])
+def test_desks_are_paired_up(said: str) -> None:
+    rows = [(f"desk_{n + 1}", 1.2 + 1.8 * (n % 2), 1.5 + 2.0 * (n // 2), 90.0, "floor") for n in range(4)]
+    after = done(built(room(7.0, 6.0), *rows), said).scene
+    desks = [after[f"desk_{n + 1}"].footprint for n in range(4)]
+    assert all(sum(one.distance(other) < 0.05 for other in desks if other is not one) == 1 for one in desks)
+
+
+def test_one_comes_before_each_of_two_seats_that_are_named() -> None:
+    before = seated()
+    for said in ("Add a plate in front of {}", "Add a plate on the table in front of {}"):
+        after = done(before, said.format("chair_1 and chair_5")).scene
+        plates = [p.id for p in after.placements if p.category == "plate"]
+        held = [Laid("on", ("dining_table_1",), seat=seat).check(after, after, id)[0]
+                for id, seat in zip(plates, ("chair_1", "chair_5"), strict=True)]  # fmt: skip
+        assert held == [True, True]

@@ -8,7 +8,16 @@ from thinkblox.assets.plurals import singular
 from thinkblox.editing.acting import centred, level, looking, mark_names
 from thinkblox.editing.adding_goals import abreast, compared, related_to_those, there_where, under_each
 from thinkblox.editing.adding_one import MOST, add_one, category_of
-from thinkblox.editing.adding_places import besides, how_many, not_bearing, of_lacking, of_those, one_at, there_already
+from thinkblox.editing.adding_places import (
+    before_each,
+    besides,
+    how_many,
+    not_bearing,
+    of_lacking,
+    of_those,
+    one_at,
+    there_already,
+)
 from thinkblox.editing.adding_unsaid import at_their_table, at_window, on_neighbour, on_usual
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, Related
@@ -87,6 +96,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = not_bearing(finder, slots, load) if load is not None else slots
+    slots = before_each(slots)
     slots = besides(finder, order, phrase, slots)
     if (lying := there_already(work, noun, guess, slots)) is not None:
         return lying

@@ -111,6 +111,19 @@ def of_those(finder: Finder, places: list[Where], slots: list[list[Bound]]) -> t
     return places, slots
 
 
+def before_each(slots: list[list[Bound]]) -> list[list[Bound]]:
+    """The places, where those before several seats are one for each: "a plate in front of chair 6 and chair 7".
+
+    That it is on their table goes without saying then.
+    """
+    tables = [bound.anchors for bounds in slots for bound in bounds if bound.seat]
+    slots = [b for b in slots if b[0].seat or b[0].part or b[0].kind != "on" or b[0].anchors not in tables]
+    seated = [bounds for bounds in slots if len(bounds) == 1 and bounds[0].seat]
+    if len(seated) < 2:
+        return slots
+    return [*(bounds for bounds in slots if bounds not in seated), [bounds[0] for bounds in seated]]
+
+
 def of_lacking(places: Sequence[Where]) -> tuple[list[Where], Noun | None]:
     """The places without what each of several is told by that it does not carry: "on each table without a plate"."""
     each = any(w.noun is not None and w.noun.kind == "thing" and w.noun.each and not w.negated for w in places)

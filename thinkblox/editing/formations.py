@@ -101,7 +101,7 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
     ids = [id for id in work.touched(ids) if work.scene[id].support == "floor"]
     ids = _meant(work.scene, ids, where.noun)
     formation = _formation(order, where.noun, len(ids))
-    if order.mutual:
+    if order.mutual == "facing" and not formation.grouped:
         formation = _face_to_face(work.scene, order, ids, formation)
     gaze = _gaze(work.scene, finder, order, ids)
     finder.recent = ids
@@ -164,7 +164,7 @@ def _face_to_face(scene: Scene, order: Order, ids: Sequence[str], formation: For
         InputError: they are not two, or of tables, or are to stand to each other otherwise.
     """
     seats = all(facts_of(scene[id].category).is_in("seating") for id in ids)
-    if order.mutual != "facing" or formation.parts != 2 or formation.grouped or formation.in_u or not seats:
+    if formation.parts != 2 or formation.in_u or not seats:
         raise InputError(f"'{order.text}': two rows of seats can face each other; say 'into groups of two' of tables")
     return replace(formation, facing=True)
 

@@ -9,7 +9,7 @@ from thinkblox.editing.reading.clause_starts import wished_at
 from thinkblox.errors import InputError
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import load
-from thinkblox.reading.tokens import Token
+from thinkblox.reading.tokens import Token, tokenise
 
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
 _PLATES = Token("plates", "plates", "word", start=-1)
@@ -111,6 +111,9 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     in_rows = {m for n in range(len(tokens)) if (row := longest("rows", tokens, n)) for m in range(n, n + row[1])}
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
+    if clause.doing == "gather" and clause.text.lower().startswith("pair"):
+        of_two = (replace(token, start=-1) for token in tokenise("into groups of two"))
+        return Clause("move", "", (*(token for token in tokens if token.text not in ENDS), *of_two), clause.text)
     if clause.doing == "gather":
         faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
         kept = _BY_WALL if _says_together(clause) else frozenset()
