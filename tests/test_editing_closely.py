@@ -215,7 +215,7 @@ def test_the_ones_behind_a_comma_tell_which_of_them() -> None:
 
 def test_large_enough_is_no_thing_that_is_added() -> None:
     with pytest.raises(InputError, match="how large"):
-        edit_room(living(), "There should be a rug under the desk, big enough for the chairs")
+        edit_room(living(), "There should be a cabinet beside the desk, big enough for the books")
 
 
 def test_where_it_stands_tells_the_place_of_what_is_moved() -> None:

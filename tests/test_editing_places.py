@@ -139,7 +139,7 @@ def test_the_other_side_of_a_door_is_across_from_where_it_stands() -> None:
 
 def test_a_seat_that_comes_to_look_at_a_wall_and_a_taken_corner_are_told() -> None:
     before = built(room(), ("sofa_1", 4.4, 4.5, 270.0, "floor"))
-    blind = edit_room(before, "The sofa should look at the window")
+    blind = edit_room(before, "Turn the sofa around")
     assert any("sofa_1 looks at a wall" in note for note in blind.notes)
     assert not done(before, "Move the sofa to the middle of the room").notes
     full = built(room(), ("plant_1", 5.6, 4.6, 0.0, "floor"), ("stool_1", 3.0, 2.5, 0.0, "floor"))

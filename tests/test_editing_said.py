@@ -248,7 +248,7 @@ def test_what_alone_is_to_stay_on_a_thing_says_nothing_of_the_rest_of_the_room()
 
 def test_what_is_no_name_of_a_thing_is_not_added() -> None:
     with pytest.raises(InputError, match="how large 'big enough' is is not said"):
-        edit_room(dining(2), "Add a rug under the table that is big enough for the chairs")
+        edit_room(dining(2), "Add a cabinet by the table that is big enough for the plates")
 
 
 def test_a_things_own_is_that_at_it() -> None:

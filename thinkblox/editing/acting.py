@@ -19,6 +19,7 @@ from thinkblox.editing.goals import (
     Goal,
     IntoRoom,
     Laid,
+    Level,
     MidOf,
     MidWall,
     Midway,
@@ -144,6 +145,10 @@ def prefer_sides(
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What distances are measured to: ids, or a part of the room."""
     noun = phrase.noun
+    told = next((w.noun for w in phrase.places if w.word == "with"), None)
+    if noun.kind == "place" and noun.value == "wall" and told is not None:
+        wall = replace(noun, text="the wall with")
+        return bound(Where("against", wall, whole=told, text="against"), "", finder).anchors
     if noun.kind == "place":
         if not things(finder.scene, noun.value.split()[0]):
             raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
@@ -157,6 +162,8 @@ def looking(finder: Finder, noun: Noun) -> Goal:
     """What something is to face, as a goal."""
     if noun.kind == "room":
         return IntoRoom()
+    if noun.kind == "people":
+        return Related("facing", bound(Where("facing", noun, text="facing"), "", finder).anchors)
     if noun.kind == "part" and noun.value == "middle":
         return Related("facing", ("centre",))
     if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
@@ -164,6 +171,18 @@ def looking(finder: Finder, noun: Noun) -> Goal:
     if noun.kind == "place" and noun.degree and finder.about in finder.scene:
         return Related("facing", bound(Where("near", noun, text="near"), "", finder).anchors)
     return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def level(finder: Finder, noun: Noun, text: str) -> Goal:
+    """As high up as something that hangs, as a goal.
+
+    Raises:
+        InputError: that could be several, or hangs nowhere.
+    """
+    ids = finder.ids(NounPhrase(noun, id=noun.id))
+    if len(ids) != 1 or finder.scene.asset_of(finder.scene[ids[0]]).mount != "wall":
+        raise InputError(f"'{text}': as high as what? {', '.join(ids)} is not one thing that hangs on a wall")
+    return Level(ids[0])
 
 
 def backing(finder: Finder, noun: Noun) -> Goal:

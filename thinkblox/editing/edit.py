@@ -22,6 +22,7 @@ from thinkblox.editing.goals import Related
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.history import Past, past_of
+from thinkblox.editing.in_line import check_in_line
 from thinkblox.editing.joining import is_that, joined
 from thinkblox.editing.making import as_larger_one, hang, hangs_down, make
 from thinkblox.editing.more_rows import is_row
@@ -544,6 +545,8 @@ def _do(work: Work, finder: Finder, order: Order) -> None:
         form(work, finder, order, formed)
     else:
         _DOERS[order.doing](work, finder, order)
+    if order.in_line:
+        check_in_line(work, finder.recent)
 
 
 def _carry_out(work: Work, read: Instruction, past: Past) -> tuple[str, ...]:

@@ -1,11 +1,12 @@
 """Orders on how many there are to be, and what is to be larger than it is: no more than is lacking is added."""
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import add, category_of
+from thinkblox.editing.adding import add
+from thinkblox.editing.adding_one import category_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
@@ -13,7 +14,7 @@ from thinkblox.editing.moving import move
 from thinkblox.editing.moving_one import move_one
 from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.telling import BELONGING
+from thinkblox.editing.telling import BELONGING, named
 from thinkblox.editing.wheres import Bound, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -21,6 +22,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.scene import Scene
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
@@ -112,14 +114,37 @@ def _let_have(work: Work, finder: Finder, order: Order, head: str, phrase: NounP
     if len(mates) > 1:
         mates = mates[: phrase.noun.count] if phrase.noun.count else mates
     finder.scene = work.before = work.scene
-    known = [NounPhrase(dataclasses.replace(phrase.noun, det="the", count=None, id=id), id=id) for id in mates]
     places = [dataclasses.replace(w, whole=it if w.whole is not None else None) for w in phrase.places]
     slots = [slot for where in places for slot in slots_of(where, work.scene[mates[0]].category, finder)]
-    for one, slot in zip(known, slots, strict=False):
+    slots = [slot for slot in slots for _ in range(max(1, len(mates) // len(slots)))]
+    stay = _at_slots(work.scene, mates, slots)
+    known = [NounPhrase(dataclasses.replace(phrase.noun, det="the", count=None, id=id), id=id) for id in mates]
+    go = [one for one in known if one.id not in stay]
+    for one, slot in zip(go, (slot for n, slot in enumerate(slots) if n not in stay.values()), strict=False):
         goals = [related(slot, work.scene[one.id].category)]
         finder.scene = work.scene
         move_one(work, order, one.id, goals)
     finder.recent = [head]
+
+
+def _at_slots(scene: Scene, ids: Sequence[str], slots: Sequence[Bound]) -> dict[str, int]:
+    """Which of some things are already at which of several places, of each of which there is one."""
+    there: dict[str, int] = {}
+    for id in ids:
+        free = [n for n in range(len(slots)) if n not in there.values()]
+        goals = {n: related(slots[n], scene[id].category) for n in free}
+        at = next((n for n in free if goals[n].check(scene, scene, id)[0]), None)
+        there |= {id: at} if at is not None else {}
+    return there
+
+
+def _with_sides(finder: Finder, phrase: NounPhrase) -> str:
+    """The thing at all whose sides so many are to be and no more: "only two chairs, one on each side of the table"."""
+    where = phrase.places[0] if len(phrase.places) == 1 else None
+    part, whole = (where.noun, where.whole) if where is not None else (None, None)
+    sides = part is not None and part.kind == "part" and (part.each or part.plural or part.det in ("all", "both"))
+    ids = finder.ids(NounPhrase(whole, id=whole.id)) if sides and whole is not None and whole.kind == "thing" else ()
+    return ids[0] if len(ids) == 1 else ""
 
 
 def _sides_with_some(finder: Finder, phrase: NounPhrase) -> dict[Bound, str]:
@@ -187,7 +212,12 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         if noun.kind != "thing" or noun.definite or phrase.id:
             move(work, finder, Order("move", order.text, things=[phrase], facing=order.facing))
             continue
-        if any(w.noun is not None and w.noun.each for w in phrase.places):
+        if order.total and (head := _with_sides(finder, phrase)):
+            sides = 2 if any(w.noun is not None and w.noun.each for w in phrase.places) else 1
+            so_many = dataclasses.replace(phrase, noun=_so_many(phrase.noun, (phrase.noun.count or 1) * sides))
+            _let_have(work, finder, order, head, so_many)
+            continue
+        if any(map(_is_of_each, phrase.places)):
             _at_each(work, finder, order, phrase)
             continue
         there = held(finder, phrase)
@@ -206,18 +236,35 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         finder.scene = work.scene
 
 
+def _is_of_each(where: Where) -> bool:
+    """Whether it speaks of each of several things, as what several have is had by each: "give the tables a lamp"."""
+    noun = where.noun
+    had = noun is not None and noun.kind == "thing" and noun.many and where.word == "to" and not where.negated
+    return noun is not None and (noun.each or had)
+
+
 def _at_each(work: Work, finder: Finder, order: Order, phrase: NounPhrase) -> None:
     """Add to each of several places what is lacking there: "every table should have four chairs"."""
     noun, alike = phrase.noun, finder.matching(phrase.noun)
-    where = next(w for w in phrase.places if w.noun is not None and w.noun.each)
+    where = next(filter(_is_of_each, phrase.places))
+    told = [w for w in phrase.places if w is not where and w.noun is not None and w.noun.kind == "place"]
+    of = dataclasses.replace(where.noun, det="all", plural=True) if where.noun is not None else noun
+    meant = named(finder, NounPhrase(of), told) if told else ()
+    where = dataclasses.replace(where, noun=of)
+    phrase = dataclasses.replace(phrase, places=[w for w in phrase.places if w not in told])
     more = 0
     for slot in slots_of(where, noun.value if noun.named else "", finder):
+        if told and not {*slot.anchors} & {*meant}:
+            continue
         goal = related(slot, alike[0].category) if alike else None
         there = [p.id for p in alike if goal is not None and goal.check(work.scene, work.scene, p.id)[0]]
         lacking = (noun.count or 1) - len(there)
+        more += abs(lacking) if lacking > 0 or order.total else 0
+        if lacking < 0 and order.total:
+            take_away(work, work.touched(there[lacking:]))
+            finder.scene = work.scene
         if lacking <= 0:
             continue
-        more += lacking
         at = Noun("thing", work.scene[slot.anchors[0]].category, 0, 0, "it", det="the", id=slot.anchors[0])
         here = dataclasses.replace(phrase, noun=_so_many(noun, lacking), places=[dataclasses.replace(where, noun=at)])
         add(work, finder, Order("add", order.text, things=[here], facing=order.facing, closer=order.closer))

@@ -53,6 +53,8 @@ def readings(text: str, scene: Scene) -> Iterator[Reading]:
     first = text[: found.start()] if found is not None else ""
     if found is None or not first.strip():
         yield Reading(read_instruction(text, ids))
+        if (freed := _freed_first(read_instruction(text, ids))) is not None:
+            yield Reading(freed, "What goes was taken away first, as what comes has no room beside it.")
         return
     other, rest = (
         (found["other"], text[found.end() :]) if "other" in found.groupdict() else _parted(text[found.end() :])
@@ -67,6 +69,20 @@ def readings(text: str, scene: Scene) -> Iterator[Reading]:
         again = read_instruction(rest, ids).orders if later.orders else ()
         says = f"'{known.orders[-1].text}' could not be done by itself, so '{other}' was done."
         yield Reading(Instruction(text, (*orders, *again), (*unknown, *later.unknown)), says)
+
+
+def _freed_first(read: Instruction) -> Instruction | None:
+    """The orders with what is taken away before what comes: "add a desk and take out the armchair".
+
+    None where nothing is, or "it" may be what was named before.
+    """
+    gone = [order for order in read.orders if order.doing == "remove"]
+    places = [w for order in read.orders for w in (*order.places, *(w for p in order.things for w in p.places))]
+    nouns = [noun for where in places for noun in (where.noun, where.whole, where.second) if noun is not None]
+    nouns += [phrase.noun for order in read.orders for phrase in order.things]
+    again = any(noun.kind == "pronoun" or noun.det == "my" for noun in nouns)
+    orders = (*gone, *(order for order in read.orders if order not in gone))
+    return replace(read, orders=orders) if gone and not again and orders != read.orders else None
 
 
 def _parted(text: str) -> tuple[str, str]:

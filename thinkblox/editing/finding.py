@@ -13,7 +13,7 @@ from thinkblox.editing.by_compass import by_compass, compass_of
 from thinkblox.editing.grammar import means, rank_of, whose
 from thinkblox.editing.history import Past
 from thinkblox.editing.orders import NounPhrase
-from thinkblox.editing.rows import row_of
+from thinkblox.editing.rows import STEP, row_of, rows_of
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike, counts_as
@@ -108,7 +108,7 @@ class Finder:
         if noun.rows:
             row = tuple(p.id for p in row_of(self.scene, _of_rows(found), noun, phrase.member))
             return self._part(phrase, row) if phrase.share or phrase.left or noun.every else row
-        found = self._told_apart(phrase, found)
+        found = self._called_by_load(noun, self._told_apart(phrase, found))
         if noun.total and noun.total != len(found):
             raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")
         if phrase.share or phrase.left or noun.every:
@@ -210,11 +210,37 @@ class Finder:
             found = self._others(noun, found)
         if len(found) > 1 and compass_of(noun):
             found = by_compass(noun, found)
+        if len(found) > 1 and (wall := _depth_of(noun)):
+            found = self._by_depth(noun, found, back=wall == "far_wall")
         if rank:
             found = _ranked(noun, found, rank, along)
         if whose(noun.text) and len(found) > 1:
             found = self._of_somebody(noun, found)
         return found
+
+    def _by_depth(self, noun: Noun, found: Sequence[Placement], *, back: bool) -> list[Placement]:
+        """Those at the back or the front: of rows the last or the first, of other things as seen from the door."""
+        rows = rows_of(self.scene, found) if all(self.scene.asset_of(p).front == "one" for p in found) else []
+        if len(rows) > 1:
+            return rows[-1] if back else rows[0]
+        x, y = _left_of_room(self.scene)
+        ahead = {p.id: round((p.position[0] * y - p.position[1] * x) * (1.0 if back else -1.0), 2) for p in found}
+        ordered = sorted(found, key=lambda p: -ahead[p.id])
+        count = noun.count or (2 if noun.det == "both" else 1)
+        last = ahead[ordered[min(count, len(ordered)) - 1].id]
+        meant = [p for p in ordered if ahead[p.id] >= last - (STEP if noun.count is None else 0.0)]
+        says = f"'{noun.text}' is taken to be {_ids(meant)}, seen from the door"
+        self.seen += [says] if says not in self.seen else []
+        return meant
+
+    def _called_by_load(self, noun: Noun, found: list[Placement]) -> list[Placement]:
+        """Those of several that are called by what rests on them: "the printer cabinet", which is said."""
+        words = {singular(word) for word in noun.called.lower().split()[:-1]} if len(found) > 1 else set()
+        loads = [p for p in self.scene.placements if p.category.rpartition("_")[2] in words]
+        bearing = [p for p in found if any(p.id in self.scene.carriers(load.id) for load in loads)]
+        says = f"'{noun.text}' is taken to be {_ids(bearing)}"
+        self.seen += [says] if len(bearing) == 1 and says not in self.seen else []
+        return bearing or found
 
     def _nearest(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
         """The one that is nearest to what is moved, or farthest from it.
@@ -331,9 +357,13 @@ class Finder:
             return self._other_of_kind(noun)
         one = noun.value in ("it", "one")
         there = [id for id in self.recent if id in self.scene]
-        if noun.det == "both" and len(there) == 1:
-            alike = [p.id for p in self.scene.placements if p.category == self.scene[there[0]].category]
-            there = alike if len(alike) == 2 else there
+        alike = [p.id for p in self.scene.placements if len(there) == 1 and p.category == self.scene[there[0]].category]
+        if noun.det == "both" and len(alike) == 2:
+            there = alike
+        came = len(there) == 1 and self.start is not None and there[0] not in self.start
+        if noun.value == "them" and came and len(alike) > 1:
+            there = alike
+            self.seen.append(f"'{noun.text}' is taken to be {_listed(alike)}")
         return tuple(there[-1:] if one and len(there) > 1 else there)
 
     def _recall(self, noun: Noun) -> None:
@@ -589,6 +619,13 @@ def _is_told_otherwise(noun: Noun) -> bool:
         (noun.value.replace("_", " "), noun.word, *noun.attributes, *noun.unshown, *noun.looks, noun.degree)
     )
     return bool({singular(word) for word in said} - {singular(word) for word in shown.lower().split()})
+
+
+def _depth_of(noun: Noun) -> str:
+    """The wall, as it is seen from the door, at which those are that a phrase means: "the two back tables"."""
+    words = noun.text.lower().split()[:-1] if noun.kind == "thing" and not noun.rows else []
+    told = [found for word in words if (found := means("depths", word))]
+    return told[0] if len(told) == 1 and not {"left", "right"} & {*words} else ""
 
 
 def _is_whichever(noun: Noun) -> bool:

@@ -2,9 +2,10 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import chain, product
+from dataclasses import dataclass, replace
+from itertools import chain, islice, product
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.acting import mark_names, moved_words
 from thinkblox.editing.carrying import put_back, take
 from thinkblox.editing.company import seats_at
@@ -44,6 +45,12 @@ Cell = tuple[Vec2, float]
 """A spot of the floor [m], and where who sits there looks, or the yaw of what stands there [degrees]."""
 
 
+MOST_MEASURED = 40
+"""Most ways to stand that are measured."""
+ACROSS = (1.6, 1.2, 0.9)
+"""How much floor lies between two rows of seats that face each other [m]: what is tried, the widest first."""
+
+
 @dataclass(frozen=True)
 class Formation:
     """So many rows, or groups, of so many things each; of a U the row at its back and two sides of `each`."""
@@ -52,6 +59,7 @@ class Formation:
     each: int
     grouped: bool
     in_u: bool = False
+    facing: bool = False
 
     def words(self) -> str:
         """In words."""
@@ -93,6 +101,8 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
     ids = [id for id in work.touched(ids) if work.scene[id].support == "floor"]
     ids = _meant(work.scene, ids, where.noun)
     formation = _formation(order, where.noun, len(ids))
+    if order.mutual == "facing" and not formation.grouped:
+        formation = _face_to_face(work.scene, order, ids, formation)
     gaze = _gaze(work.scene, finder, order, ids)
     finder.recent = ids
     if _is_so(work.scene, ids, formation, gaze):
@@ -101,11 +111,11 @@ def form(work: Work, finder: Finder, order: Order, where: Where) -> None:
     before, saved, said = work.scene, work.saved(), len(work.failed)
     why = ""
     said_so = bool(order.facing or any(w.word == "facing" for p in order.things for w in p.places))
-    turns = (0.0, 90.0, 180.0, 270.0) if formation.in_u else (0.0, 90.0) if formation.grouped else (0.0,)
+    either = formation.grouped or formation.facing
+    turns = (0.0, 90.0, 180.0, 270.0) if formation.in_u else (0.0, 90.0) if either else (0.0,)
     ways = [gaze] if said_so else [(gaze + turn) % 360.0 for turn in turns]
-    for cells in chain.from_iterable(_cells(before, ids, formation, way) for way in ways):
-        if not _look_free(before, ids, cells):
-            continue
+    laid = chain.from_iterable(_cells(before, ids, formation, way) for way in ways)
+    for cells in islice((cells for cells in laid if _look_free(before, ids, cells)), MOST_MEASURED):
         failed = _moved(work, before, ids, cells)
         if not failed:
             work.done += [moved_words(before[p.id], p) for p in work.scene.placements if p != before[p.id]]
@@ -147,6 +157,18 @@ def _formation(order: Order, noun: Noun | None, count: int) -> Formation:
     return Formation(parts, each, grouped)
 
 
+def _face_to_face(scene: Scene, order: Order, ids: Sequence[str], formation: Formation) -> Formation:
+    """Two rows of seats that look at each other.
+
+    Raises:
+        InputError: they are not two, or of tables, or are to stand to each other otherwise.
+    """
+    seats = all(facts_of(scene[id].category).is_in("seating") for id in ids)
+    if formation.parts != 2 or formation.in_u or not seats:
+        raise InputError(f"'{order.text}': two rows of seats can face each other; say 'into groups of two' of tables")
+    return replace(formation, facing=True)
+
+
 def _gaze(scene: Scene, finder: Finder, order: Order, ids: Sequence[str]) -> float:
     """Where who sits there is to look: to what the order says, else as most of them do now [degrees]."""
     nouns = [*order.facing, *(w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun)]
@@ -166,7 +188,7 @@ def _is_so(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
     same = all(turn_between(looks_to(scene, scene[id]), gaze) <= SAME_WAY for id in ids)
     sizes = [len(row) for row in rows]
     even = len(rows) == formation.parts and max(sizes) == formation.each and sum(sizes) == len(ids)
-    return same and even and not (formation.grouped or formation.in_u)
+    return same and even and not (formation.grouped or formation.in_u or formation.facing)
 
 
 def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) -> Iterator[dict[str, Cell]]:
@@ -182,6 +204,8 @@ def _cells(scene: Scene, ids: Sequence[str], formation: Formation, gaze: float) 
         for beside in BESIDE:
             laid = [list(_u(formation, len(ids), deep, wide, beside) if formation.in_u
                          else _blocks(formation, deep, wide, sit + behind, beside) if formation.grouped
+                         else _two_rows(formation, len(ids), deep, wide, ACROSS[BEHIND.index(behind)], beside)
+                         if formation.facing
                          else _ranks(formation, len(ids), deep, wide, sit + behind, beside))]  # fmt: skip
             laid += [list(_blocks(formation, deep, wide, 0.0, beside, in_line=True))] if formation.grouped else []
             for (x, y), local, (dx, dy) in product(centres, laid, middles[:: max(1, len(middles) // TRIES)]):
@@ -208,6 +232,17 @@ def _ranks(formation: Formation, count: int, deep: float, wide: float, behind: f
         row, column = divmod(n, formation.each)
         ahead = ((formation.parts - 1) / 2 - row) * (deep + behind)
         yield (ahead, ((formation.each - 1) / 2 - column) * (wide + beside)), 0.0
+
+
+def _two_rows(
+    formation: Formation, count: int, deep: float, wide: float, across: float, beside: float
+) -> Iterator[Cell]:
+    """Two rows of seats, of which the one ahead looks back."""
+    out = (deep + across) / 2
+    for n in range(count):
+        row, column = divmod(n, formation.each)
+        aside = ((formation.each - 1) / 2 - column) * (wide + beside)
+        yield (-out if row else out, aside), 0.0 if row else 180.0
 
 
 def _blocks(

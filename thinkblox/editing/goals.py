@@ -60,6 +60,8 @@ AWAY = 0.1
 """Least by which something goes away that is to do so, and not only a bit [m]."""
 INTO_ROOM = 45.0
 """Largest angle between a front and the way into the room [degrees]."""
+BACK_TO = 20.0
+"""Largest angle between a back and the way to what it is to be to [degrees]."""
 ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
 """Least distance of another place from the one before: on the floor, and on a surface or a wall [m]."""
 
@@ -525,7 +527,7 @@ class BackTo(Untied):
     anchors: tuple[str, ...]
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
-        """Between its gaze and the way away from what is behind it, within INTO_ROOM degrees."""
+        """Between its gaze and the way away from what is behind it, within BACK_TO degrees."""
         if after.asset_of(after[id]).front == "any":
             return True, f"{id} has no back"
         mark = things(after, id)[0]
@@ -533,7 +535,7 @@ class BackTo(Untied):
         x, y = nearest_points(place_of(behind), Point(mark.centre))[0].coords[0]
         away = math.degrees(math.atan2(mark.centre[1] - y, mark.centre[0] - x))
         turn = turn_between(mark.gaze, away)
-        return turn <= INTO_ROOM, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"
+        return turn <= BACK_TO, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"
 
 
 @dataclass(frozen=True)
@@ -543,6 +545,23 @@ class Hung(Untied):
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """Its lower edge is at least LOW_HUNG above the floor; nothing is said of that."""
         return after[id].position[2] >= LOW_HUNG, ""
+
+
+@dataclass(frozen=True)
+class Level(Untied):
+    """Its middle is as high up as that of something else."""
+
+    anchor: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between the two, within EXACT."""
+        off = middle_height(after[id]) - middle_height(after[self.anchor])
+        return abs(off) <= EXACT, f"middle of {id} {off:+.2f} m above that of {self.anchor}"
+
+
+def middle_height(placement: Placement) -> float:
+    """How high up the middle of something is [m]."""
+    return placement.position[2] + placement.size[2] / 2
 
 
 @dataclass(frozen=True)

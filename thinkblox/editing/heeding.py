@@ -11,28 +11,31 @@ _SHIFTED = (
     "backs",
     "abreast",
     "touching",
+    "in_line",
     "company",
     "mutual",
     "together",
     "scatter",
     "direction",
+    "level",
     "lengths",
     "seated",
     "there",
     "free",
 )
 _LOOKED = ("facing", "backs")
+_TURNED = ("turn", "sense", "direction")
 _MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast"),
+    "add": (*_WHERE, "there", "centred", "besides", "mutual", "abreast", "level", "in_line"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
-    "turn": ("things", "places", *_LOOKED, "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
+    "turn": ("things", "places", *_LOOKED, *_TURNED, "company", "mutual", "across", "rest", "spared"),
     "replace": ("things", "instead", "abreast"),
     "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
-    "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
+    "rearrange": ("mutual", "things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
     "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction", "bears"),
     "free": ("things", "places", "free", "space", "room", "rest", "spared", "away", "lengths"),
@@ -49,6 +52,7 @@ SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
     "besides": "which places are excepted",
     "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
+    "across": "what is between them", "level": "how high",
     "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
     "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",
     "room": "the room", "ceiling": "the ceiling", "into": "what it becomes", "free": "what stays free",
@@ -56,7 +60,7 @@ SAID = {
     "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
     "backs": "what its back is to", "bears": "what is to be on it", "abreast": "side by side",
-    "touching": "without a gap",
+    "touching": "without a gap", "in_line": "in a row",
 }  # fmt: skip
 """What a field says, in words."""
 

@@ -4,7 +4,7 @@ import dataclasses
 from collections.abc import Sequence
 
 from thinkblox.editing.grammar import means
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import HERE, NounPhrase, Order
 from thinkblox.editing.telling import by_distance
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -30,7 +30,9 @@ def joined(orders: Sequence[Order]) -> list[Order]:
     for order in _with_seats_apart(_of_those_kept(orders)):
         last = joined[-1] if joined else None
         _as_is_meant(last, order)
-        if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
+        goes = last is not None and _takes(last) and order.doing in ("put", "move") and not _is_larger_one(last)
+        goes |= last is not None and _grasps(last) and order.doing in ("put", "move")
+        if last is not None and goes and (_is_of_it(order) or _share_out(last, order)):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
             joined[-1] = order
@@ -97,10 +99,21 @@ def _of_those_kept(orders: Sequence[Order]) -> list[Order]:
     """The orders with "keep four desks and remove the rest" as one by which only four of the desks stay."""
     left: list[Order] = []
     for order in orders:
+        if left and left[-1].doing in ("keep", "only") and _is_of_other_rows(left[-1], order):
+            left[-1].doing = "only"
+            continue
         if left and left[-1].doing == "keep" and _is_rest_of_them(left[-1], order):
             order.doing, order.things, order.rest, order.total = "only", left.pop().things, False, True
         left.append(order)
     return left
+
+
+def _is_of_other_rows(last: Order, order: Order) -> bool:
+    """Whether "(keep only the front row and remove) the other desks and chairs" takes what is in the other rows."""
+    rows = bool(last.things) and all(phrase.noun.rows for phrase in last.things)
+    others = [phrase.noun for phrase in order.things]
+    bare = bool(others) and others[0].det == "other" and not any(phrase.places for phrase in order.things)
+    return rows and order.doing == "remove" and bare and all(noun.det in ("other", "") for noun in others)
 
 
 def _is_rest_of_them(last: Order, order: Order) -> bool:
@@ -150,10 +163,38 @@ def _takes(order: Order) -> bool:
     return order.doing == "move" and alone and bool(order.things) and not placed
 
 
+def _grasps(order: Order) -> bool:
+    """Whether "take the plant next to the sofa" says where a thing is that goes somewhere then, and marks it so."""
+    grasped = order.doing == "move" and bool(means("grasping", order.text.split(" ", 1)[0].lower()))
+    if not grasped or len(order.things) != 1 or order.closer or order.direction or order.seated or order.away:
+        return False
+    places = order.things[0].places
+    order.things[0].places = [dataclasses.replace(w, text=f"{HERE}{w.text}") for w in places]
+    return True
+
+
+def _is_larger_one(order: Order) -> bool:
+    """Whether it gets "a bigger desk", which makes the one that is there so before that is put somewhere."""
+    noun = order.things[-1].noun
+    return noun.kind == "thing" and noun.det == "a" and bool(means("comparatives", noun.degree))
+
+
 def _is_of_it(order: Order) -> bool:
     return (
         bool(order.things) and order.things[0].noun.kind == "pronoun" and order.things[0].noun.value in ("it", "them")
     )
+
+
+def _share_out(last: Order, order: Order) -> bool:
+    """Let "(take two chairs and put) one at each end" bring each of them to its own place; whether it says so."""
+    taken, one = last.things[-1].noun, order.things[0] if len(order.things) == 1 else None
+    if one is None or (one.noun.kind, one.noun.value) != ("pronoun", "one") or (taken.count or 0) < 2:
+        return False
+    where = one.places[0] if len(one.places) == 1 else None
+    if where is None or where.noun is None or not where.noun.each:
+        return False
+    where.noun = dataclasses.replace(where.noun, det="all", plural=True)
+    return True
 
 
 def _both(last: Order, order: Order) -> list[Where]:

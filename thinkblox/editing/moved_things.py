@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.grammar import means
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import HERE, NounPhrase, Order
 from thinkblox.editing.telling import anchored, by_distance, named, spare
-from thinkblox.editing.wheres import bound, slots_of
+from thinkblox.editing.wheres import SIDED, bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
@@ -31,7 +31,7 @@ def check_says_where(order: Order, places: Sequence[Where]) -> None:
         InputError: it says no place, two ways at once, or a length of nothing.
     """
     told = (order.closer, order.apart, order.direction, order.facing, order.backs, order.seated, order.mutual)
-    if not (places or any(told) or order.there or order.free):
+    if not (places or any(told) or order.there or order.free or order.level):
         raise InputError(f"'{order.text}' does not say where to; say a place, such as 'next to the bed'")
     if order.lengths and not (order.closer or order.direction or order.seated == "out" or order.scatter):
         said = ", ".join(f"{metres:.4g} m" for metres, _ in order.lengths)
@@ -104,8 +104,8 @@ def split_places(
     finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
-    here = [w for w in places if w.word in ("from", "of")]
-    rest = [w for w in places if w.word not in ("from", "of")]
+    here = [w for w in places if w.word in ("from", "of") or w.text.startswith(HERE)]
+    rest = [w for w in places if w not in here]
     if phrase.places is not places and not phrase.places:
         return here, rest
     if order.together and phrase.noun.definite and _CLOSER_TOGETHER.search(order.text):
@@ -127,10 +127,18 @@ def split_places(
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
         known = bool(phrase.id or phrase.noun.id or phrase.noun.ordinal)
         several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here and not known
+        several |= _are_at_sides(phrase, wanted)
         several |= all(w.word == "on" and w.noun is not None and w.noun.kind == "thing" for w in wanted[:2])
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
     return here, rest
+
+
+def _are_at_sides(phrase: NounPhrase, places: Sequence[Where]) -> bool:
+    """Whether several are told by the sides of a thing that they are at: "the chairs at the ends against the wall"."""
+    (part, goal) = (where.noun for where in places[:2])
+    sided = part is not None and part.kind == "part" and part.value in SIDED
+    return sided and phrase.noun.definite and phrase.noun.many and goal is not None and goal.kind != "part"
 
 
 def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> tuple[Picks, ...]:

@@ -33,7 +33,8 @@ from thinkblox.editing.moving_rows import by_rows, row_to_wall, shifted_at_once
 from thinkblox.editing.orders import Order
 from thinkblox.editing.pairing import pair_up
 from thinkblox.editing.reaching import Reaching
-from thinkblox.editing.scattering import scatter
+from thinkblox.editing.rows import rows_of_all
+from thinkblox.editing.scattering import scatter, scatter_rows
 from thinkblox.editing.stepping import way_of
 from thinkblox.editing.turning import face_each_other
 from thinkblox.editing.wheres import bound, slots_of
@@ -43,6 +44,7 @@ from thinkblox.plan import Tie
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
+from thinkblox.scene.placement import Placement
 
 MOST_SLOTS = 5
 """Most things that are shared out to places so that as few as can be have to move."""
@@ -59,7 +61,7 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
-    if order.touching:
+    if order.touching and not any(phrase.places for phrase in order.things):
         raise InputError(f"'{order.text}': without a gap to what? Say 'against the bed', or 'side by side'")
     if order.besides:
         raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")
@@ -198,6 +200,11 @@ def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]
 
 def _together(work: Work, finder: Finder, order: Order) -> None:
     """Bring things nearer to each other, or further apart: the largest stays."""
+    if order.scatter and (rows := _rows_meant(work, finder, order)):
+        by = order.lengths[0][0] if order.lengths else None
+        scatter_rows(work, rows, by=by, slight=order.slight)
+        finder.recent = [p.id for row in rows for p in row]
+        return
     ids = list(dict.fromkeys(id for ids, _ in moved_things(work, finder, order) for id in ids))
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
@@ -233,6 +240,17 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     for id, left in seats.items():
         say_left(work, id, left)
     finder.recent = ids
+
+
+def _rows_meant(work: Work, finder: Finder, order: Order) -> list[list[Placement]]:
+    """The rows that an order moves apart: "pull the rows further apart"; empty where it is about other things."""
+    noun = order.things[0].noun if len(order.things) == 1 and not order.things[0].places else None
+    every = noun is not None and noun.rows < 0 and not noun.ordinal and noun.det in ("the", "all", "both")
+    if not every or noun is None or _placed(order):
+        return []
+    of = finder.matching(dataclasses.replace(noun, rows=0, plural=True)) if noun.kind == "thing" else []
+    rows = [row for row in rows_of_all(work.scene) if not of or any(p in of for p in row)]
+    return rows if len(rows) > 1 else []
 
 
 def _cornered(goals: Sequence[Goal]) -> bool:

@@ -7,6 +7,7 @@ from thinkblox.assets import facts_of
 from thinkblox.editing.acting import (
     backing,
     centred,
+    level,
     looking,
     mark_names,
     related,
@@ -66,6 +67,7 @@ def goals_of(
     if order.there:
         goals.append(there_where(work, id, finder.left_place(order.text)))
     goals += [Elsewhere(LEFT)] if order.leaves else []
+    goals += [level(finder, noun, order.text) for noun in order.level]
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):
         goals.append(At(work.scene[id].position[:2], SLIGHT))
@@ -105,7 +107,7 @@ def _at_place(
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
-    yield from _strictly(work, finder, where, there, category)
+    yield from _strictly(work, finder, where, there, category, touching=order.touching)
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
@@ -117,7 +119,9 @@ def _at_place(
     yield related(there, category, index, count)
 
 
-def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+def _strictly(
+    work: Work, finder: Finder, where: Where, there: Bound, category: str, *, touching: bool
+) -> Iterator[Goal]:
     """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
@@ -129,7 +133,8 @@ def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: 
         yield Central()
     if there.kind == "in_front_of" and not there.negated and _sits_before(work, there.anchors, category):
         yield Related("at", there.anchors)
-    if there.kind == "next_to" and where.word == "against" and not there.negated:
+    against = (there.kind == "next_to" and where.word == "against") or (touching and all(map(is_object, there.anchors)))
+    if against and not there.negated:
         yield Apart(there.anchors, AT_IT, "le")
 
 

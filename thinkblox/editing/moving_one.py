@@ -17,6 +17,7 @@ from thinkblox.editing.goals import (
     Apart,
     At,
     Goal,
+    Level,
     Midway,
     Nearing,
     OnSide,
@@ -42,12 +43,13 @@ from thinkblox.editing.parting import with_room_between
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.spots import (
     Pose,
+    levelled,
     likely,
     middle_off,
 )
 from thinkblox.editing.stepping import by_step
 from thinkblox.editing.taking_place import THERE, at_spot, is_there
-from thinkblox.editing.turning import straighten, turn_by
+from thinkblox.editing.turning import make_legroom, straighten, turn_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.scene.bearings import ground_gap
@@ -75,6 +77,7 @@ def move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> N
         move_one(work, order, id, goals)
     if order.facing and order.turn is None and id in work.scene:
         straighten(work, id, goals)
+        make_legroom(work, work.scene[id], goals)
     if order.turn is not None:
         turn_by(work, id, order)
 
@@ -132,6 +135,8 @@ def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple
         direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
     if any(isinstance(goal, Apart) for goal in goals):
         direct = chain(moved_aside(work.scene, before, goals), direct)
+    here = [(before.position, before.yaw)]
+    direct = levelled(work.scene, work.asset_of(id), goals, chain(here if _is_level(goals) else (), direct))
     done = _reach_beside(work, id, goals, direct)
     if done is not None and (half := _in_half(order, goals)):
         goals = half
@@ -139,6 +144,11 @@ def _to_place(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> tuple
     if done is not None and _with_others(work, id, goals):
         done = None
     return done, goals
+
+
+def _is_level(goals: Sequence[Goal]) -> bool:
+    """Whether how high up something is to be is all that is asked."""
+    return bool(goals) and all(isinstance(goal, Level) for goal in goals)
 
 
 def _with_others(work: Work, id: str, goals: Sequence[Goal]) -> bool:

@@ -16,6 +16,8 @@ INSTEAD = "instead of"
 """The words of a place at which something is not to be: it may also be what makes room there."""
 BEARS, BORE = "that carries", "that carried"
 """The words of a place by which a thing is told by what rests on it, or rested on it before."""
+HERE = "that is "
+"""Before the words of a place at which a thing is, and not to which it goes."""
 AWAY_SIDE = "on the side away from"
 """The words of a place at that side of a thing which is farthest from another."""
 SAME = "same"
@@ -68,6 +70,8 @@ class Order:
         bound: "ge" where such a length is the least, "le" where it is the most.
         company: what goes along with them.
         mutual: how they are to stand to each other.
+        level: as high as what they are to hang; "it" where that is what they hang by.
+        across: what is to be between two that are turned to each other.
         spared: what "everything" does not hold.
         besides: at which of several places nothing is put.
         together: nearer to each other.
@@ -92,12 +96,14 @@ class Order:
         rest: it speaks of everything else.
         away: "take it away".
         there: where something was that the order before has taken away.
+        eached: what comes along comes with each of what comes instead.
         space: it speaks of the space at its places.
         total: it says how many there are to be ("only two chairs").
         centred: at the middle of where they go.
         leaves: they leave the part of the room that they are in.
         abreast: beside each other, turned the same way.
         touching: they are to have no gap between them.
+        in_line: they stand in one line.
         bears: what is to be on it then.
         purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
@@ -115,6 +121,8 @@ class Order:
     bound: str = ""
     company: list[NounPhrase] = field(default_factory=list)
     mutual: str = ""
+    level: list[Noun] = field(default_factory=list)
+    across: list[Noun] = field(default_factory=list)
     together: bool = False
     scatter: bool = False
     facing: list[Noun] = field(default_factory=list)
@@ -136,6 +144,7 @@ class Order:
     free: list[Noun] = field(default_factory=list)
     rest: bool = False
     away: bool = False
+    eached: bool = False
     space: bool = False
     total: bool = False
     there: bool = False
@@ -144,6 +153,7 @@ class Order:
     leaves: bool = False
     abreast: bool = False
     touching: bool = False
+    in_line: bool = False
     bears: list[NounPhrase] = field(default_factory=list)
     purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)

@@ -18,6 +18,8 @@ def is_laid_before(work: Work, category: str, seat: str) -> bool:
     """Whether what comes along with a seat lies before it on its table, as a plate does, and not on the seat itself."""
     own = work.scene[seat].category
     small = facts_of(own).is_in("seating") and facts_of(category).is_in("small")
+    tables = [p.id for p in work.scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    small &= any(measure(work.scene, "at", seat, (table,)).holds for table in tables)
     habits = [habit for habit in load_habits().of(category) if habit.kind == "on"]
     return small and not any(own in habit.anchors for habit in habits)
 

@@ -56,7 +56,15 @@ def _sparing(work: Work, finder: Finder, order: Order) -> Iterator[None]:
 
 
 def _rearrange(work: Work, finder: Finder, order: Order) -> None:
-    """As `rearrange`, of what is not excepted."""
+    """As `rearrange`, of what is not excepted.
+
+    Raises:
+        InputError: things are to stand to each other in a way that is no formation.
+    """
+    if order.mutual:
+        raise InputError(
+            f"'{order.text}': how they stand to each other is followed of two things, or of two rows of seats"
+        )
     region = _region(work, finder, order)
     if order.free:
         if region is not None:

@@ -32,12 +32,12 @@ def beside_corner(work: Work) -> Iterator[str]:
 def facing_wall(work: Work, ids: Iterable[str]) -> Iterator[str]:
     """Notes on seats that look at a wall now, so close that nobody can sit down on them, and did not before."""
     for id in (id for id in ids if id in work.scene and facts_of(work.scene[id].category).is_in("seating")):
-        free = _ahead(work.scene, id)
-        if free < LEGS and (id not in work.start or _ahead(work.start, id) >= LEGS):
+        free = legroom(work.scene, id)
+        if free < LEGS and (id not in work.start or legroom(work.start, id) >= LEGS):
             yield f"{id} looks at a wall that is {free:.2f} m before it: nobody can sit down on it there."
 
 
-def _ahead(scene: Scene, id: str) -> float:
+def legroom(scene: Scene, id: str) -> float:
     """How far the wall is before a seat [m]; LEGS or more where it is farther, or the seat has no front."""
     seat = scene[id]
     if scene.asset_of(seat).front != "one":

@@ -4,7 +4,6 @@ import dataclasses
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.editing.acting import related
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
@@ -80,41 +79,12 @@ def _with_all_that_rests(work: Work, finder: Finder, order: Order) -> None:
 
 def _meant(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> tuple[str, ...]:
     """What a phrase means; what is said behind the last of several says also which of the others: "from the desk"."""
-    if each := _at_each(finder, phrase):
-        return each
     try:
         return named(finder, phrase, phrase.places)
     except InputError:
         if phrase.places or not places:
             raise
     return named(finder, phrase, places)
-
-
-def _at_each(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
-    """So many at each of several places: "one chair on each side of the table"; none where that is not said.
-
-    Raises:
-        InputError: there are fewer at one of them.
-    """
-    noun = phrase.noun
-    where = next((w for w in phrase.places if w.noun is not None and w.noun.each and not w.negated), None)
-    if where is None or not noun.count or noun.definite or noun.kind != "thing":
-        return ()
-    found = finder.matching(replace(noun, plural=True, count=None))
-    if not found:
-        raise finder.nothing(noun.text)
-    category, taken = found[0].category, list[str]()
-    for slot in slots_of(where, category, finder):
-        goals = [related(slot, category), related(replace(slot, kind="at"), category)]
-        there = [
-            [p.id for p in found if p.id not in taken and goal.check(finder.scene, finder.scene, p.id)[0]]
-            for goal in goals
-        ]
-        held = there[0] or (there[1] if slot.anchors else [])
-        if len(held) < noun.count:
-            raise InputError(f"'{phrase.text}': there are only {len(held)} at {' and '.join(slot.anchors)}")
-        taken += held[-noun.count :]
-    return tuple(taken)
 
 
 def keep_only(work: Work, finder: Finder, order: Order) -> None:

@@ -8,7 +8,8 @@ from functools import partial
 from shapely import Point
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add, add_one, add_with, category_of, of_size
+from thinkblox.editing.adding import add, add_with
+from thinkblox.editing.adding_one import MOST, add_one, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
@@ -67,6 +68,9 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
     ids = work.touched(dict.fromkeys(found))
     first = order.instead[0]
+    if _hangs_elsewhere(work, ids, order.instead):
+        _let_hang(work, finder, order, ids)
+        return
     count, before = _how_many(order, ids, first.noun), work.scene
     for number, id in enumerate(ids[:count]):
         become = partial(_comes_in_place, work, id, first.noun)
@@ -76,6 +80,27 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
         take_away(work, ids[count:])
     _bring_more(work, finder, order, before, ids, count)
     finder.recent = [id for id in ids if id in work.scene]
+
+
+def _hangs_elsewhere(work: Work, ids: Sequence[str], new: Sequence[NounPhrase]) -> bool:
+    """Whether what comes instead hangs somewhere that is said, and what it comes for stands or hangs otherwise."""
+    noun = new[0].noun
+    if len(new) != 1 or noun.kind != "thing" or not noun.value or not new[0].places:
+        return False
+    mount = work.source.usual(category_of(work, noun, ()))[1]
+    return mount in ("wall", "ceiling") and all(work.asset_of(id).mount != mount for id in ids)
+
+
+def _let_hang(work: Work, finder: Finder, order: Order, ids: Sequence[str]) -> None:
+    """Take things away and hang what comes instead where that is said; all is as before where that cannot be."""
+    saved, said = work.saved(), (len(work.done), len(work.failed))
+    take_away(work, ids)
+    finder.scene = work.before = work.scene
+    add(work, finder, Order("add", order.text, things=[order.instead[0]]))
+    if len(work.failed) > said[1]:
+        work.restore(saved)
+        del work.done[said[0] :], work.failed[said[1] + 1 :]
+        finder.scene = work.scene
 
 
 def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
@@ -90,7 +115,9 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
                 add_one(work, category_of(work, noun, ()), noun, there)
             elif noun is not first:
                 finder.scene = work.scene
-                add_with(work, finder, order, [by], [Where("with", noun, text="with")])
+                heads = [by, *(p.id for p in work.scene.placements if p.id not in before)] if order.eached else [by]
+                heads = [id for id in heads if work.scene[id].category == work.scene[by].category]
+                add_with(work, finder, order, heads, [Where("with", noun, text="with")])
             elif work.scene[by].asset != before[by].asset:
                 _add_another(work, by, noun, beside=order.abreast)
     came = [id for id in ids[:count] if id in work.scene] + [p.id for p in work.scene.placements if p.id not in before]
@@ -183,6 +210,7 @@ def _beside_above(scene: Scene, by: str) -> Iterator[Vec2]:
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     """How many come in place of these: so many as is said, one for "a bench", or as many as there were."""
     each = any(phrase.noun.det == "each" for phrase in order.things)
+    each |= any(w.noun is not None and w.noun.each for phrase in order.things for w in phrase.places)
     if new.count and new.count > MOST:
         raise InputError(f"'{new.text}': one order adds at most {MOST} things")
     if new.count and new.count > 1:

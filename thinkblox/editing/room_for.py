@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.editing.adding import MOST, add_one, category_of
+from thinkblox.editing.adding_one import MOST, add_one, category_of
 from thinkblox.editing.orders import Order
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError

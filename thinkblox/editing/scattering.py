@@ -6,11 +6,13 @@ from itertools import combinations
 
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import put_back, take
-from thinkblox.editing.goals import LEAST, At
+from thinkblox.editing.goals import EXACT, LEAST, At
 from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.rows import looks_to
 from thinkblox.editing.work import Work
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
@@ -22,6 +24,10 @@ NEAR = 1.25
 """Two of them are neighbours where their middles are at most so many times as far apart as the nearest other is."""
 OFF = 0.1
 """How far from there a thing may come to stand [m]."""
+
+
+ROWS_WIDER, ROWS_SLIGHTLY = (0.4, 0.3, 0.2, 0.1), (0.15, 0.1, 0.05)
+"""By how much rows are further apart where nobody says it, the most first [m]; the same for "a bit"."""
 
 
 def scatter(work: Work, ids: Sequence[str], *, by: float | None, slight: bool) -> None:
@@ -48,6 +54,32 @@ def scatter(work: Work, ids: Sequence[str], *, by: float | None, slight: bool) -
             return
         work.world = work.world.with_scene(before)
     work.failed.append(f"{', '.join(ids)} were left where they are: {why}")
+
+
+def scatter_rows(work: Work, rows: Sequence[Sequence[Placement]], *, by: float | None, slight: bool) -> None:
+    """Move rows away from the middle of them all, each as one; notes what became of it.
+
+    Args:
+        work: the edit.
+        rows: two or more, the front one first, each with the seats that are drawn up to it.
+        by: how much further apart each two are to be [m].
+        slight: it is to be a little.
+    """
+    before, ids = work.scene, [p.id for row in rows for p in row]
+    way = math.radians(looks_to(before, rows[0][0]))
+    why = ""
+    for step in (by,) if by is not None else ROWS_SLIGHTLY if slight else ROWS_WIDER:
+        spots: dict[str, Vec2] = {}
+        for number, row in enumerate(rows):
+            ahead = ((len(rows) - 1) / 2 - number) * step
+            spots |= {p.id: (p.position[0] + ahead * math.cos(way), p.position[1] + ahead * math.sin(way)) for p in row}
+        why = moved_to(work, ids, spots, off=EXACT)
+        if not why:
+            work.done += [moved_words(before[id], work.scene[id]) for id in ids if before[id] != work.scene[id]]
+            work.done.append(f"the {len(rows)} rows are {step:.2f} m further apart")
+            return
+        work.world = work.world.with_scene(before)
+    work.failed.append(f"the rows were left where they are: {why}")
 
 
 def _neighbours(scene: Scene, ids: Sequence[str]) -> list[tuple[str, str]]:

@@ -1,8 +1,10 @@
 """Orders on the distance between two things: so much, at least so much, or more of it than there is."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from thinkblox.editing.acting import mark_names, reach_goals, say
+from thinkblox.editing.company import with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, Goal, Nearing, Related, Turned
 from thinkblox.editing.grammar import means
@@ -53,15 +55,27 @@ def space(work: Work, finder: Finder, order: Order) -> None:
     if holds:
         work.done.append(f"it is so already ({says})")
         return
-    failed: Reaching | None = None
+    why, said, saved = "", len(work.failed), work.saved()
     for id, mark in _movers(work, one, other):
-        before, wanted = work.scene, [Apart((mark,), goals[0].away, goals[0].bound)]
-        failed = _moved_off(work, id, mark, wanted[0], gap)
-        if failed is None:
-            say(work, id, before[id], None, wanted)
+        wanted = Apart((mark,), goals[0].away, goals[0].bound)
+        with_company(work, finder, order, id, partial(_move_off, work, id, mark, wanted, gap))
+        if len(work.failed) == said:
             return
-    why = failed.why if failed is not None else f"{one} and {other} are to stay where they are"
+        why = work.failed[-1]
+        work.restore(saved)
+        del work.failed[said:]
+    why = why or f"{one} and {other} are to stay where they are"
     work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
+
+
+def _move_off(work: Work, id: str, mark: str, goal: Apart, gap: float) -> None:
+    """Move a thing to a distance from another; notes what became of it."""
+    before = work.scene[id]
+    failed = _moved_off(work, id, mark, goal, gap)
+    if failed is None:
+        say(work, id, before, None, [goal])
+    else:
+        work.failed.append(failed.why)
 
 
 def _moved_off(work: Work, id: str, mark: str, goal: Apart, gap: float) -> Reaching | None:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 from shapely import Point, Polygon
@@ -18,9 +18,11 @@ from thinkblox.editing.goals import (
     BySmall,
     Goal,
     Laid,
+    Level,
     MidOf,
     OnWall,
     Related,
+    middle_height,
 )
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import bearing, place_of
@@ -53,6 +55,8 @@ BACK = (0.02, 0.1, 0.25)
 BESIDE: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
 SHARES = (0.5, 0.35, 0.65, 0.2, 0.8)
 """Where along an opening it is tried."""
+BESIDE_HUNG = (0.1, 0.05, 0.2, 0.35)
+"""Gaps between things that hang side by side [m]."""
 
 
 def spots(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -322,6 +326,25 @@ def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> I
         for turn in turns
     ]
     yield from free(scene, asset, poses)
+
+
+def levelled(scene: Scene, asset: Asset, goals: Sequence[Goal], poses: Iterable[Pose]) -> Iterator[Pose]:
+    """The poses as they are; as high up as is asked, and then those beside what that is as high as."""
+    anchor = next((goal.anchor for goal in goals if isinstance(goal, Level)), "")
+    for (x, y, z), yaw in chain(poses, _beside_hung(scene, asset, scene[anchor]) if anchor else ()):
+        high = middle_height(scene[anchor]) - asset.size[2] / 2 if anchor else z
+        yield (x, y, round(high, 4)), yaw
+
+
+def _beside_hung(scene: Scene, asset: Asset, thing: Placement) -> Iterator[Pose]:
+    """Places on the wall that something hangs on, to either side of it."""
+    wall = scene.room.wall(thing.support)
+    along = wall.coordinates(thing.position[:2])[0]
+    for gap in BESIDE_HUNG:
+        for sign in (1.0, -1.0):
+            off = sign * ((thing.size[1] + asset.size[1]) / 2 + gap)
+            x, y = wall.point(along + off, asset.size[0] / 2 + BACK_GAP)
+            yield (round(x, 4), round(y, 4), thing.position[2]), wall.yaw
 
 
 def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:

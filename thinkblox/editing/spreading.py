@@ -12,6 +12,7 @@ from thinkblox.editing.acting import moved_words, reach_goals
 from thinkblox.editing.company import bring_together, seats_at
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, OnWall, Related
+from thinkblox.editing.grammar import longest
 from thinkblox.editing.orders import Order
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import BACK, Pose, hides_opening, whole_floor
@@ -21,8 +22,10 @@ from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.tokens import tokenise
 from thinkblox.scene.nearby import BACK_GAP
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Wall
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
@@ -51,7 +54,7 @@ def spread(work: Work, finder: Finder, order: Order) -> None:
     ids = list(
         dict.fromkeys(id for p in order.things for id in named(finder, p, [w for w in p.places if w not in walled]))
     )
-    ids = list(work.touched(ids))
+    ids = list(work.touched(_told_by_wall(work, order, ids, walled, finder)))
     if len(ids) < 2 or any(work.scene[id].support in work.scene for id in ids):
         raise InputError(
             f"'{order.text}': things that stand or hang in the room can be spread; it names {', '.join(ids)}"
@@ -69,6 +72,18 @@ def spread(work: Work, finder: Finder, order: Order) -> None:
     spots = _along(wall, len(ids)) if wall is not None else _over(work, ids)
     _bring(work, ids, _shared(work.scene, ids, spots), wall)
     finder.recent = ids
+
+
+def _told_by_wall(
+    work: Work, order: Order, ids: Sequence[str], walled: Sequence[Where], finder: Finder
+) -> Sequence[str]:
+    """Those at a wall, where that says which are meant: "space the chairs along the north wall evenly"."""
+    words = order.text.lower().split()
+    if len(walled) != 1 or not longest("all_over", tokenise(words[-1]), 0):
+        return ids
+    names = bound(walled[0], work.scene[ids[0]].category, finder).anchors
+    held = [id for id in ids if any(measure(work.scene, "against_wall", id, (name,)).holds for name in names)]
+    return held if len(held) > 1 else ids
 
 
 def _is_along(finder: Finder, places: Sequence[Where], host: str) -> bool:

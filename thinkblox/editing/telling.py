@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
 from itertools import pairwise
@@ -13,7 +14,8 @@ from thinkblox.editing.finding import Finder, Picks
 from thinkblox.editing.goals import PartOfTop
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import BEARS, BORE, NounPhrase
-from thinkblox.editing.wheres import Bound, bound, opening_named, place_text, walls_of
+from thinkblox.editing.rows import rows_of
+from thinkblox.editing.wheres import SIDED, Bound, bound, opening_named, place_text, slots_of, table_of, walls_of
 from thinkblox.errors import InputError
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.english.chunks import Noun
@@ -133,12 +135,66 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
     if phrase.noun.det == "my" and phrase.noun.text.lower().split()[:1][0] in _THEIRS and not phrase.id:
         ids = _of_owners(finder, phrase)
         return spare(finder, ids, phrase.spared, phrase.noun)
-    ids = _named(finder, phrase, said, picks)
+    ids = _of_each_row(finder, phrase, said) or _at_each(finder, phrase, said)
+    ids = ids or _named(finder, phrase, said, picks)
     finder.owners, finder.several = list(ids), [*finder.several, *ids]
     left = spare(finder, ids, phrase.spared, phrase.noun if phrase.noun.kind == "thing" else None)
     if ids and not left:
         raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
     return left
+
+
+def _at_each(finder: Finder, phrase: NounPhrase, said: Sequence[Where]) -> tuple[str, ...]:
+    """So many at each of several places: "one chair on each side of the table"; none where that is not said.
+
+    Raises:
+        InputError: there are fewer at one of them.
+    """
+    noun = phrase.noun
+    where = next((w for w in said if w.noun is not None and w.noun.each and not w.negated), None)
+    count = noun.count or int(noun.det == "a")
+    row = where is not None and any(n is not None and n.rows for n in (where.noun, where.whole))
+    if where is None or row or not count or noun.definite or noun.kind != "thing":
+        return ()
+    found = finder.matching(dataclasses.replace(noun, plural=True, count=None))
+    if not found:
+        raise finder.nothing(noun.text)
+    where, taken = of_their_table(finder, where, found), list[str]()
+    count = 1 if where.text.lower().startswith("one ") else count
+    for slot in slots_of(where, found[0].category, finder):
+        left = [p.id for p in found if p.id not in taken]
+        held = [id for id in left if slot.holds(finder.scene, id)]
+        drawn = dataclasses.replace(slot, kind="at", side=None)
+        held = held or [id for id in left if slot.anchors and slot.side is None and drawn.holds(finder.scene, id)]
+        if len(held) < count:
+            raise InputError(f"'{phrase.text}': there are only {len(held)} at {' and '.join(slot.anchors)}")
+        taken += held[-count:]
+    return tuple(taken)
+
+
+def _of_each_row(finder: Finder, phrase: NounPhrase, said: Sequence[Where]) -> tuple[str, ...]:
+    """The same one of every row: "the middle desk of each row", "the first desk in every row"; none of other phrases.
+
+    Raises:
+        InputError: a row has no such, or it is not said which.
+    """
+    noun, where = phrase.noun, said[0] if len(said) == 1 else None
+    row = where.whole or where.noun if where is not None else None
+    if where is None or row is None or row.kind != "number" or not row.rows or not row.each or noun.kind != "thing":
+        return ()
+    part = where.noun.value if where.noun is not None and where.noun.kind == "part" else noun.side
+    rows = rows_of(
+        finder.scene, finder.matching(dataclasses.replace(noun, plural=True, count=None, side="", ordinal=0))
+    )
+    rows = [row for row in rows if len(row) > 1]
+    places = {"left": 1, "right": -1, "middle": 0}
+    number = places.get(part) if part else noun.ordinal or None
+    if number is None or (number == 0 and any(len(row) % 2 == 0 for row in rows)) or not rows:
+        raise InputError(f"'{phrase.text}': which of each of {len(rows)} rows is not known; name them by id")
+    at = [len(row) // 2 if number == 0 else number - 1 if number > 0 else number for row in rows]
+    if any(n >= len(row) for n, row in zip(at, rows, strict=True)):
+        raise InputError(f"'{phrase.text}': a row has fewer")
+    return tuple(row[n].id for n, row in zip(at, rows, strict=True))
 
 
 def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
@@ -324,7 +380,7 @@ def _told(
     Raises:
         InputError: none is.
     """
-    for where in said:
+    for where in (of_their_table(finder, where, found) for where in said):
         if (owned := _by_other(finder, phrase, where, found)) is not None:
             found = owned
         elif superlative := by_distance(where):
@@ -332,6 +388,20 @@ def _told(
         else:
             found = _by_any(finder, phrase, where, found) or _held(finder, phrase, where, found, just=just)
     return found
+
+
+def of_their_table(finder: Finder, where: Where, found: Sequence[Placement]) -> Where:
+    """A place, where a side or an end of nothing is that of the one table that most of some seats are drawn up to."""
+    noun = where.noun
+    bare = noun is not None and noun.kind == "part" and noun.value in SIDED and not (noun.owner or where.whole)
+    if not bare or not all(facts_of(p.category).is_in("seating") for p in found):
+        return where
+    at = Counter(table for p in found if (table := table_of(finder.scene, p.id)))
+    if not at or len(at) > 1:
+        return where
+    its = finder.scene[next(iter(at))]
+    whole = Noun("thing", its.category, 0, 0, f"the {its.category.replace('_', ' ')}", det="the", id=its.id)
+    return dataclasses.replace(where, whole=whole)
 
 
 def _by_other(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement] | None:
@@ -356,8 +426,11 @@ def _held(
     Raises:
         InputError: none is.
     """
-    there = bound(where, found[0].category, finder)
-    held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+    part = where.noun is not None and where.noun.kind == "part" and where.noun.plural and where.whole is not None
+    sides = slots_of(where, found[0].category, finder) if part and not where.negated else []
+    there = sides[0] if sides else bound(where, found[0].category, finder)
+    at = sides or [there]
+    held = [p for p in found if p.id not in there.anchors and any(side.holds(finder.scene, p.id) for side in at)]
     if there.seat and not phrase.noun.many:
         held = [p for p in held if _nearest_owner(finder.scene, p, [there.seat]) == there.seat]
     walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
@@ -371,7 +444,7 @@ def _held(
         there = dataclasses.replace(there, kind="at")
         held = [p for p in found if there.holds(finder.scene, p.id)]
         there = dataclasses.replace(there, kind="near")
-    if there.kind in NEARNESS and not (just or there.negated) and len(held) < (phrase.noun.count or 1):
+    if there.kind in NEARNESS and not (just or there.negated or sides) and len(held) < (phrase.noun.count or 1):
         held = _nearly(finder.scene, phrase.noun, found, there)
     if not held:
         says = ", ".join(finder.described(p) for p in found)

@@ -9,13 +9,14 @@ from msgspec import structs
 from shapely import LineString
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, mark_names, moved_words, reach_goals, related, say
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import EXACT, STRAIGHT, At, BackTo, Goal, Related, SeatRoom, Straight, Turned
 from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import without
+from thinkblox.editing.remarks import LEGS, legroom
 from thinkblox.editing.spots import Pose, at_wall, free, near_offsets
 from thinkblox.editing.telling import named, spare
 from thinkblox.editing.wheres import bound
@@ -35,6 +36,8 @@ TURNED = 1.5
 """How far something may be moved that is turned, besides half the difference of its sides [m]."""
 PULLED = (0.45, 0.6, 0.75, 0.9, 1.05, 1.2)
 """How far something is pulled out from its wall where what turns with it has no room [m]."""
+STEPPED = 0.35
+"""How far something may be moved so that it looks straight at a thing, rather than only about [m]."""
 SHIFTED = 0.1
 """How far it may be moved without saying so [m]."""
 ABOUT = 15.0
@@ -170,6 +173,10 @@ def face_each_other(work: Work, finder: Finder, order: Order) -> None:
         raise InputError(f"'{order.text}': two things can face each other; it names {', '.join(ids) or 'none'}")
     for id, other in ((ids[0], ids[1]), (ids[1], ids[0])):
         _turn_to(work, id, [Related("facing", (other,))])
+    sight = LineString([work.scene[id].position[:2] for id in ids])
+    for name in (name for noun in order.across for name in mark_names(finder, NounPhrase(noun, id=noun.id))):
+        if not any(sight.intersects(mark.footprint) for mark in things(work.scene, name)):
+            work.failed.append(f"{name} is not between {ids[0]} and {ids[1]}, which were turned to each other")
     finder.recent = ids
 
 
@@ -243,11 +250,39 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal], *, aimed: bool = False)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     poses = list(turns(work.scene, before, goals))
+    right = [pose for pose in poses if _looks_right(work, id, pose, goals)]
+    near = (
+        pose
+        for pose in _aimed_about(work, id, _straight(goals, ABOUT))
+        if math.dist(pose[0], before.position) <= STEPPED
+    )
+    begun = chain(right, near, poses)
     if any(isinstance(goal, SeatRoom) for goal in goals):
         poses += list(free(without(work.scene, [id]), work.asset_of(id), _pulled_out(work.scene, before, poses)))
-    failed = reach_goals(work, id, [*goals, there], direct=iter(poses))
+        begun = chain(poses)
+    failed = reach_goals(work, id, [*goals, there], direct=begun)
     say(work, id, before, failed, goals)
+    make_legroom(work, before, [*goals, there])
     _say_moved(work, before)
+    now = work.scene[id]
+    if failed is None and not _looks_right(work, id, (now.position, now.yaw), goals):
+        marks = [name for goal in goals if isinstance(goal, Related) for name in goal.anchors]
+        work.notes.append(f"{id} was not turned straight to {', '.join(marks)}")
+
+
+def make_legroom(work: Work, before: Placement, goals: Sequence[Goal]) -> None:
+    """Let a seat that has come to look right at a wall, and did not before, stand off that where it can."""
+    id, scene = before.id, work.scene
+    seat = facts_of(before.category).is_in("seating") and not any(isinstance(goal, SeatRoom) for goal in goals)
+    if not seat or legroom(scene, id) >= LEGS or legroom(work.start, id) < LEGS:
+        return
+    saved, now = work.saved(), scene[id]
+    bare = without(scene, [id, *(rider.id for rider in scene.riders(id))])
+    pulled = free(bare, work.asset_of(id), _pulled_out(scene, now, [(now.position, now.yaw)]))
+    if reach_goals(work, id, [*goals, SeatRoom()], direct=pulled) is None:
+        work.done.append(f"{moved_words(now, work.scene[id])}, so that somebody can sit down on it")
+    else:
+        work.restore(saved)
 
 
 def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:
@@ -263,6 +298,14 @@ def straighten(work: Work, id: str, goals: Sequence[Goal]) -> None:
         work.done.append(f"{id} turned straight to {', '.join(about[0].anchors)}")
     else:
         work.notes.append(f"{id} was not turned straight to {', '.join(about[0].anchors)}")
+
+
+def _looks_right(work: Work, id: str, pose: Pose, goals: Sequence[Goal]) -> bool:
+    """Whether a thing that is turned so looks right at what it is to face, or straight within ABOUT degrees."""
+    bare = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    turned = bare.with_placement(structs.replace(work.scene[id], yaw=pose[1]), work.asset_of(id))
+    straight = [goal for goal in _straight(goals, ABOUT) if isinstance(goal, Straight)]
+    return all(_is_before_it(turned, id, goal) or goal.check(work.scene, turned, id)[0] for goal in straight)
 
 
 def _is_before_it(scene: Scene, id: str, goal: Goal) -> bool:

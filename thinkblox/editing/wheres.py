@@ -9,11 +9,13 @@ from typing import Literal, cast, get_args
 from shapely import Point
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.plurals import singular
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
-from thinkblox.editing.goals import Laid, PartOfTop
+from thinkblox.editing.goals import DrawnUp, Laid, PartOfTop
 from thinkblox.editing.grammar import means, rank_of
 from thinkblox.editing.orders import AWAY_SIDE, NounPhrase
+from thinkblox.editing.rows import rows_of_all
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -36,7 +38,9 @@ _NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_
 _OPENINGS = ("window", "door")
 _SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1.0, 0.0), "west_wall": (-1.0, 0.0)}
-_TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
+SIDED = ("side", "end", "long_side", "short_side")
+"""Parts that a thing has two of."""
+_TWO_SIDED = (*SIDED, "head")
 _POINTED = ("that wall", "this wall", "the same wall")
 _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
 """Prepositions after which a plural means each of them."""
@@ -86,6 +90,8 @@ class Bound:
         """Whether an object has the relation, or has it not where it is negated."""
         if self.seat and not self.negated:
             return id in scene and Laid("on", self.anchors, seat=self.seat).check(scene, scene, id)[0]
+        if self.side is not None and not self.negated:
+            return id in scene and DrawnUp("at", self.anchors, side=self.side).check(scene, scene, id)[0]
         return measure(scene, self.kind, id, self.anchors, negated=self.negated).holds
 
 
@@ -107,6 +113,8 @@ def _upon(found: Bound, category: str, finder: Finder) -> Bound:
     if not beside or not facts_of(category).is_in("small") or len(found.anchors) != 1:
         return found
     if found.anchors[0] not in finder.scene or finder.scene[found.anchors[0]].support not in finder.scene:
+        return found
+    if facts_of(finder.scene[found.anchors[0]].category).is_in("built_in"):
         return found
     return dataclasses.replace(found, upon=finder.scene[found.anchors[0]].support)
 
@@ -227,6 +235,8 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
         return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
     if noun.kind == "place" and noun.value.split()[0] == "corner":
         return several or noun.plural
+    if noun.kind == "pronoun":
+        return noun.det in ("each", "both")
     if noun.kind == "thing":
         return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
     return noun.kind == "place" and several
@@ -246,9 +256,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
     bounds: list[Bound] = []
     for anchor in anchors:
         deep, wide, _ = finder.scene[anchor].size
-        seated = facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in(
-            "tables", "desks"
-        )
+        tables = facts_of(finder.scene[anchor].category).is_in("tables", "desks", "counters")
+        seated = facts_of(category).is_in("seating") and tables
         long = noun.value == "long_side" or (noun.value == "side" and seated and abs(deep - wide) > LONGER)
         across = long == (deep > wide) if long or noun.value != "side" else True
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
@@ -277,14 +286,36 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
     if noun is None:
         return None
     if noun.kind == "people":
-        return _thing(where, _thing_of(noun, finder), category, finder, picks)
+        faced = _faced(noun, finder) if where.word in ("facing", "opposite", "to") else None
+        return _thing(where, faced or _thing_of(noun, finder), category, finder, picks)
     if noun.kind == "room":
         return Bound("facing", of_room=True) if where.word in ("facing", "to", "near", "at", "opposite") else None
     if noun.kind == "part":
         return _part(where, noun, category, finder)
     if noun.kind == "place":
         return _place(where, noun, finder)
+    if where.word == "between" and noun.rows and where.second is None:
+        return _between_rows(where, noun, finder)
     return _thing(where, noun, category, finder, picks)
+
+
+def _between_rows(where: Where, noun: Noun, finder: Finder) -> Bound:
+    """Between the only two rows of the room: between what is nearest to the middle of all in either.
+
+    Raises:
+        InputError: there are more of them, or none.
+    """
+    rows = rows_of_all(finder.scene)
+    if len(rows) != 2 or noun.ordinal or noun.rows not in (-1, 2):
+        raise InputError(
+            f"'{place_text(where)}': there are {len(rows)} rows; say which, such as 'the first and the second row'"
+        )
+    every = [p.position for row in rows for p in row]
+    x, y = (sum(spot[axis] for spot in every) / len(every) for axis in (0, 1))
+    kinds = [row[0].category for row in rows]
+    heads = [[p for p in row if p.category == kind] for row, kind in zip(rows, kinds, strict=True)]
+    one, other = (min(row, key=lambda p: math.dist(p.position[:2], (x, y))) for row in heads)
+    return Bound("between", (one.id, other.id), where.negated)
 
 
 def _beside_opening(where: Where, noun: Noun, whole: Noun | None, finder: Finder) -> Bound | None:
@@ -307,6 +338,14 @@ def _across_opening(where: Where, name: str, finder: Finder) -> Bound:
         raise InputError(f"the room has no {name}")
     side: RelationKind = "right_of" if marks[0].to_local(here)[1] > 0 else "left_of"
     return Bound(side, (marks[0].name,), where.negated)
+
+
+def _faced(noun: Noun, finder: Finder) -> Noun | None:
+    """What is in the middle of the front row, at which those sit who look ahead: "the pupils"; None of others."""
+    rows = rows_of_all(finder.scene) if means("audience", singular(noun.word.lower())) else []
+    front = [p for p in rows[0] if p.category == rows[0][0].category and p.id != finder.about] if rows else []
+    at = front[len(front) // 2] if front else None
+    return Noun("thing", at.category, 0, 0, noun.text, det="the", id=at.id) if at is not None else None
 
 
 def _thing_of(noun: Noun, finder: Finder) -> Noun:
@@ -338,7 +377,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
             return Bound("in_centre", (top or "centre",), where.negated)
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (walls_of(finder.scene, side),), where.negated) if side else None
-    anchors = finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),))
+    anchors = _its_own(finder, noun, finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),)))
     if noun.value == "side" and noun.count == 1 and where.word != "from":
         raise InputError(f"'{place_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
@@ -352,6 +391,14 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         )
         return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     return _at_part(where, noun, category, finder, anchors)
+
+
+def _its_own(finder: Finder, part: Noun, anchors: tuple[str, ...]) -> tuple[str, ...]:
+    """Of several things at whose other side each of others goes, that which the one in hand is nearest to."""
+    if len(anchors) < 2 or part.det != "other" or finder.about not in finder.scene:
+        return anchors
+    mark = things(finder.scene, finder.about)[0]
+    return (min(anchors, key=lambda id: ground_gap(mark, things(finder.scene, id)[0])),)
 
 
 def _at_part(where: Where, noun: Noun, category: str, finder: Finder, anchors: tuple[str, ...]) -> Bound:
@@ -451,13 +498,18 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
         return sided
     if noun.det != "other":
         return "end" if noun.value == "end" else ""
-    ahead, left = thing.to_local(_here(finder, place_text(where)).position[:2])
+    here = _here(finder, place_text(where))
+    if thing.support in finder.scene and here.support != anchor:
+        return ""
+    ahead, left = thing.to_local(here.position[:2])
     if thing.size[0] > thing.size[1]:
         return "back" if ahead > 0 else "front"
     return "right" if left > 0 else "left"
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
+    if noun.value == "wall" and noun.states == ["new"]:
+        noun = dataclasses.replace(noun, value=_wall_moved(finder, noun), states=[])
     told = bool(noun.states) or any(word != noun.degree for word in noun.unshown)
     if noun.value == "corner" and told and noun.det in ("a", "any", "another") and not where.negated:
         return Bound("in_corner", _each_corner(finder, where, noun, "")[0])
@@ -590,6 +642,20 @@ def _wall_left(finder: Finder) -> str:
         return ""
     at = [w for w in finder.scene.room.walls if measure(finder.start, "against_wall", gone.id, (w.name,)).holds]
     return min(at, key=lambda w: turn_between(w.yaw, gone.yaw)).name if at else ""
+
+
+def _wall_moved(finder: Finder, noun: Noun) -> str:
+    """The wall that the same instruction has moved: "(make the room wider and put a piano at) the new wall".
+
+    Raises:
+        InputError: it has moved none, or several.
+    """
+    old = finder.start.room.walls if finder.start is not None else finder.scene.room.walls
+    pairs = zip(old, finder.scene.room.walls, strict=True) if len(old) == len(finder.scene.room.walls) else ()
+    moved = [now.name for was, now in pairs if abs(was.coordinates(now.start)[1]) > SAME_LENGTH]
+    if len(moved) != 1:
+        raise InputError(f"'{noun.text}': {', '.join(moved) or 'no wall'} has moved; say which, as 'the north wall'")
+    return moved[0]
 
 
 def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
@@ -777,12 +843,12 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
         raise InputError(f"'{place_text(where)}': there is nothing yet that '{noun.text}' could be")
     kind = _fitting(kind, where, category, anchors[0], finder)
     if kind in ("in_front_of", "at") and facts_of(category).is_in("small") and len(anchors) == 1:
-        table = _table_of(finder.scene, anchors[0])
+        table = table_of(finder.scene, anchors[0])
         return Bound("on", (table,), seat=anchors[0]) if table else Bound(kind, anchors)
     return Bound(kind, anchors)
 
 
-def _table_of(scene: Scene, seat: str) -> str:
+def table_of(scene: Scene, seat: str) -> str:
     """The table that a seat is drawn up to; empty where it is none, or at none."""
     if not facts_of(scene[seat].category).is_in("seating"):
         return ""

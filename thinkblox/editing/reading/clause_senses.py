@@ -8,7 +8,8 @@ from thinkblox.editing.reading.clause import BRINGS, ENDS, LINKS, TO, WANTS, Cla
 from thinkblox.editing.reading.clause_starts import wished_at
 from thinkblox.errors import InputError
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.tokens import Token
+from thinkblox.reading.lexicon import load
+from thinkblox.reading.tokens import Token, tokenise
 
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
 _PLATES = Token("plates", "plates", "word", start=-1)
@@ -16,6 +17,8 @@ _LAID = ("the", "it", "my", "our", "each", "every", "both", "them")
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
 _OF = Token("of", "of", "word", start=-1)
+MOST_OF_NAME = 3
+"""Most words of a name before the last that joins it."""
 _IN = frozenset(("in", "inside", "with"))
 _BY_WALL = frozenset(("against", "along", "under"))
 """Where things that are pushed "together" can come to stand so."""
@@ -63,8 +66,16 @@ def turned_about(clause: Clause) -> Clause:
     return Clause("add", "", had_by(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
 
 
+def _is_counted_only(tokens: Sequence[Token]) -> bool:
+    """Whether it says how many there are to be in all: "(I want) only three chairs"."""
+    only = len(tokens) > 1 and tokens[0].text in ("only", "just")
+    return only and (tokens[1].kind == "number" or grammar().at(tokens, 1, "count") is not None)
+
+
 def given_as(clause: Clause) -> Clause:
-    """The clause, where "get it a chair" says what something is to have as "give it a chair" does."""
+    """The clause, where "get it a chair" gives it one, and "(I want) only three chairs" is how many there are to be."""
+    if clause.doing in WANTS and _is_counted_only(clause.tokens):
+        return replace(clause, doing="ensure", tokens=clause.tokens[1:])
     words = [token.text for token in clause.tokens[:2]]
     got = clause.doing == "move" and clause.text.lower().split()[:1] == ["get"]
     gives = words[:1] in (["it"], ["them"]) and words[1:] in (["a"], ["an"], ["another"], ["some"])
@@ -100,6 +111,9 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     in_rows = {m for n in range(len(tokens)) if (row := longest("rows", tokens, n)) for m in range(n, n + row[1])}
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
+    if clause.doing == "gather" and clause.text.lower().startswith("pair"):
+        of_two = (replace(token, start=-1) for token in tokenise("into groups of two"))
+        return Clause("move", "", (*(token for token in tokens if token.text not in ENDS), *of_two), clause.text)
     if clause.doing == "gather":
         faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
         kept = _BY_WALL if _says_together(clause) else frozenset()
@@ -139,9 +153,7 @@ def _fewer(clause: Clause) -> Clause | None:
     at = next((n for n, t in enumerate(tokens) if t.text in ("less", "fewer") and not _is_bound(tokens, n)), None)
     if at is None:
         return None
-    if any(t.text in ("each", "every", "all") for t in tokens) or (
-        at + 1 < len(tokens) and tokens[at + 1].text == "than"
-    ):
+    if any(t.text == "all" for t in tokens) or (at + 1 < len(tokens) and tokens[at + 1].text == "than"):
         raise InputError(f"'{clause.text}' does not say which go; say 'remove two of the tables'")
     return Clause("remove", "", (*tokens[:at], *tokens[at + 1 :]), clause.text)
 
@@ -190,13 +202,19 @@ def had_by(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
     own = next((n for n, t in enumerate(rest) if t.text in ("its", "their") and _is_part(rest, n + 1)), None)
     if own is not None:
         return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
-    along = next((n for n, token in enumerate(rest) if n and token.text == "with"), None)
+    along = next((n for n, token in enumerate(rest) if n and token.text == "with" and not _is_in_name(rest, n)), None)
     if along is not None:
         return (*rest[:along], TO, *whose, *rest[along:])
     if rest and rest[-1].text in ("it", "them"):
         return (*rest[:-1], *whose)
     spared = next((n for n in range(len(rest)) if _spares(rest, n)), len(rest))
     return (*rest[:spared], TO, *whose, *rest[spared:])
+
+
+def _is_in_name(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a word belongs to the name of a thing: "with" of "a vase with flowers"."""
+    names = ((n, load("en").longest(list(tokens), n)) for n in range(max(0, at - MOST_OF_NAME), at))
+    return any(found.entry("object") is not None and at < n + found.length for n, found in names)
 
 
 def _spares(tokens: Sequence[Token], at: int) -> bool:

@@ -166,10 +166,15 @@ def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[ClauseStart]:
-    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa"."""
+    """What is asked for without a verb: "a bigger bed please", "floor lamp behind the sofa", "only two chairs"."""
     asked = any(token.text in ("please", "pls", "plz") for token in tokens) or _is_terse(tokens)
     first = after_fillers(tokens)
-    return [ClauseStart(first, first, "want")] if asked and first < len(tokens) else []
+    if first >= len(tokens):
+        return []
+    counted = tokens[first].kind == "number" or grammar().at(tokens, first, "count") is not None
+    if counted and any(token.text in ("only", "just") for token in tokens[:first]):
+        return [ClauseStart(0, first, "ensure")]
+    return [ClauseStart(first, first, "want")] if asked else []
 
 
 def _is_terse(tokens: Sequence[Token]) -> bool:
@@ -179,7 +184,8 @@ def _is_terse(tokens: Sequence[Token]) -> bool:
     """
     first = after_fillers(tokens)
     said = [token for token in tokens[first:] if token.text not in (*ENDS, ",", "and")]
-    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or means("anybody", said[0].text):
+    person = said[0].text != "one" and means("anybody", said[0].text) if said else ""
+    if len(said) < 2 or grammar().at(said, 0, "prepositions") is not None or person:
         return False
     verbs = any(
         grammar().at(said, n, "verbs", "conditions") is not None

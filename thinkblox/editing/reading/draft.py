@@ -35,6 +35,8 @@ class OrderDraft:
         mode: what nouns are: "things" that the order is about, what comes "instead" of them, of what a result is told
             ("so"), or what is not to be blocked ("unblock").
         so: of what a result is told.
+        told: how many places were said before "out of the way".
+        unsaid: how the order was read before that.
         negated: "not" was the last word.
         pending: "closer to" (True) or "away from" (False) waits for its noun.
         clears: it may be an order to clear things.
@@ -66,6 +68,8 @@ class OrderDraft:
     at: int = 0
     mode: str = "things"
     so: list[NounPhrase] = field(default_factory=list)
+    unsaid: str = ""
+    told: int | None = None
     negated: bool = False
     pending: bool | None = None
     anchors: list[Noun] = field(default_factory=list)

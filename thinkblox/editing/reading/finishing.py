@@ -1,18 +1,26 @@
 """What an order says as a whole, once all its words are read."""
 
+import re
+
+from thinkblox.editing.grammar import longest
 from thinkblox.editing.heeding import SAID
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reading.draft import OrderDraft, are_several
 from thinkblox.editing.reading.sharing_out import comes_along
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.tokens import tokenise
 
+_PILED = re.compile(r"\b(?:in|into) (?:a |one )?(?:neat )?(?:stack|pile|heap)s?\b")
+"""How several things are to lie on each other."""
 _LESS = ("smaller", "shorter", "narrower", "lower")
 
 
 def finish(draft: OrderDraft) -> None:
     """Settle what only the whole order tells."""
     order = draft.order
+    _is_followed(draft)
+    _goes_somewhere(draft)
     order.slight &= not order.lengths
     if draft.fraction and order.change and not order.change.endswith("="):
         order.times = 1.0 + (-draft.fraction if order.change in _LESS else draft.fraction)
@@ -39,7 +47,28 @@ def finish(draft: OrderDraft) -> None:
         comes_along(draft, each=draft.eached)
     _nearer_one(draft)
     _beside_one(draft)
+    _shared_out(draft)
     _looked(draft)
+
+
+def _is_followed(draft: OrderDraft) -> None:
+    """Lose what a result is told of where that has asked for nothing: "so that people feel at home".
+
+    That there is more space comes of what is made smaller.
+    """
+    order = draft.order
+    if draft.so and draft.unsaid == repr(order):
+        order.lost += [phrase.text for phrase in draft.so]
+    if order.doing == "make" and order.change in _LESS and order.free and order.things:
+        order.purpose, order.free = [*order.purpose, *order.free], []
+
+
+def _goes_somewhere(draft: OrderDraft) -> None:
+    """Read "out of the way, against the wall" as to that place, which is said behind that it goes elsewhere."""
+    order = draft.order
+    later = draft.places()[draft.told :] if draft.told is not None else []
+    if order.doing == "resite" and any(not w.negated and w.word not in ("from", "except") for w in later):
+        order.doing = "move"
 
 
 def _along(draft: OrderDraft) -> None:
@@ -59,6 +88,15 @@ def _nearer_one(draft: OrderDraft) -> None:
     order.closer = [] if order.doing in ("remove", "replace") and order.things else order.closer
 
 
+def _shared_out(draft: OrderDraft) -> None:
+    """Read "I want four stools, two on each side of the island" as how many there are to be."""
+    order = draft.order
+    verb = longest("verbs", tokenise(order.text.lower()), 0)
+    new = bool(order.things) and not order.things[-1].noun.definite
+    if draft.shared and new and order.doing == "put" and verb is not None and verb[0] == "want":
+        order.doing, order.total = "ensure", True
+
+
 def _beside_one(draft: OrderDraft) -> None:
     """Read "(next to the desk) so that they stand side by side" as how one thing comes to stand beside another."""
     order, beside = draft.order, [w for w in draft.places() if w.word == "next_to" and not w.negated]
@@ -73,8 +111,9 @@ def _by_verb(draft: OrderDraft) -> None:
     if order.centred and order.things and not (draft.places() or order.closer or order.direction):
         middle = Noun("place", "centre", 0, 0, "the middle of the room", det="the")
         order.things[-1].places.append(Where("in", middle, text="in"))
-    if draft.piling and (len(order.things) > 1 or any(map(are_several, order.things))):
-        order.lost.append(order.text.split(" ", 1)[0].lower())
+    piled = draft.piling or _PILED.search(order.text.lower()) is not None
+    if piled and (len(order.things) > 1 or any(map(are_several, order.things))):
+        order.lost.append(order.text.split(" ", 1)[0].lower() if draft.piling else "in a pile")
 
 
 def _closer_around(draft: OrderDraft) -> None:

@@ -17,14 +17,17 @@ from thinkblox.editing.reading.leads import without_announcements, without_reaso
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
+    counted_to,
     in_between,
     in_its_place,
     included,
     reworded,
     something_instead,
     uncontracted,
+    with_borne,
     with_heads,
     with_ids,
+    with_its_wall,
     with_new_on_it,
     with_own,
     with_owners,
@@ -65,8 +68,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     read = as_seen(corrected(lexicon, with_sides(lexicon, spelt)))
     more = with_settings(with_more_said(lexicon, read))
     again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(more))))
-    owned = with_owners(lexicon, with_heads(lexicon, with_own(lexicon, again)))
-    said = something_instead(reworded(in_its_place(with_new_on_it(without_rather_than(owned)))))
+    owned = with_its_wall(lexicon, with_owners(lexicon, with_heads(lexicon, with_own(lexicon, counted_to(again)))))
+    said = something_instead(reworded(in_its_place(with_borne(with_new_on_it(without_rather_than(owned))))))
     tokens = without_reasons(lexicon, without_announcements(without_commas(with_rows(included(in_between(said))))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)

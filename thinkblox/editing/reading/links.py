@@ -98,6 +98,8 @@ def _mutual(draft: OrderDraft, link: Connector) -> None:
             draft.order.lost.append(f"not {link.text}")
             return
         things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+    elif link.value == "in_row" and draft.order.doing in ("add", "put", "move") and things:
+        draft.order.in_line = True
     elif link.text.lower() in _OF_TWO:
         _of_two(draft, _OF_TWO[link.text.lower()], link)
     elif (link.value == "facing" and draft.order.doing in ("move", "put", "turn", "rearrange", "make")) or (

@@ -33,6 +33,8 @@ def read_where(draft: OrderDraft, link: Connector) -> Where:
     where.noun = merged(draft, noun) if noun is not None else None
     if link.value == "per" and where.noun is not None:
         where.word, where.noun = "to", replace(where.noun, det="each")
+    if where.noun is not None and where.noun.value == "wall" and "new" in where.noun.text.lower().split():
+        where.noun = replace(where.noun, states=["new"])
     item = draft.ahead()
     if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
         draft.at += 1

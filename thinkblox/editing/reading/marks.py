@@ -121,11 +121,11 @@ def _marker(draft: OrderDraft, key: str) -> None:
         case "round":
             _round(draft)
         case "elsewhere":
-            order.doing = "resite"
+            order.doing, draft.told = "resite", len(draft.places())
         case "away" | "rest" | "there" | "centred":
             setattr(order, key, True)
         case "so" | "unblock":
-            draft.mode, draft.so = key, []
+            draft.mode, draft.so, draft.unsaid = key, [], repr(order)
         case "together":
             order.mutual = "next_to"
         case _:

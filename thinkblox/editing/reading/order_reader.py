@@ -18,6 +18,8 @@ from thinkblox.editing.reading.nouns import read_noun
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.lexicon import Lexicon
 
+MOST_OF_VERB, MOST_BEFORE_ONLY = 4, 6
+"""Among so many words at the beginning "only" says what alone is kept, or how many there are to be in all."""
 _MAKING = ("make", "leave", "keep")
 """Verbs of "make room", "leave some space"."""
 
@@ -61,7 +63,8 @@ def _begun(lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Co
     words = clause.text.lower().split() or [clause.doing]
     verb = next((word for word in words if means("drawing", word)), words[0])
     order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
-    told = [word.lower() for word in clause.text.split()[:4]]
+    most = MOST_BEFORE_ONLY if clause.doing == "ensure" else MOST_OF_VERB
+    told = [word.lower() for word in clause.text.split()[:most]]
     order.space = (
         clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
     )

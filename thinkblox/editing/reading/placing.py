@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.editing.grammar import means
-from thinkblox.editing.orders import INSTEAD, NounPhrase
+from thinkblox.editing.orders import AWAY_SIDE, INSTEAD, NounPhrase
 from thinkblox.editing.reading.draft import IN_ROW, SIDED, WITH_ALONG, OrderDraft, is_it
 from thinkblox.editing.reading.facing import takes_lengthwise
 from thinkblox.editing.reading.going_along import takes_along, takes_rider
@@ -30,7 +30,8 @@ def place(draft: OrderDraft, where: Where) -> None:
         return
     if "possible" in where.text.lower().split():
         _utmost(draft, where)
-    said = (_is_on_new(draft, where), _is_on_what_bears(draft, where), _is_like_those(draft, where))
+    said: tuple[bool, ...] = (_is_on_new(draft, where), _is_on_what_bears(draft, where), _is_like_those(draft, where))
+    said = (*said, _tells_side(draft, where), _takes_height(draft, where), _is_across_it(draft, where))
     if any(said) or _is_without_gap(draft, where):
         return
     order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
@@ -38,7 +39,9 @@ def place(draft: OrderDraft, where: Where) -> None:
     _refer(draft, where)
     if takes_along(draft, where) or (on_it and takes_rider(draft, where)):
         return
-    if draft.distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
+    of_wall = bool(order.closer) and where.word == "with"
+    far_off = draft.distance and bool(order.lengths) and where.word not in ("between", "to", "along")
+    if far_off and where.noun is not None and not of_wall:
         draft.distance = False
         phrase = NounPhrase(where.noun, id=where.noun.id)
         order.apart.append((order.lengths.pop()[0], phrase))
@@ -46,6 +49,49 @@ def place(draft: OrderDraft, where: Where) -> None:
         if where.word in ("from", "far", "near", "next_to", "by"):
             return
     attach(draft, where)
+
+
+def _is_across_it(draft: OrderDraft, where: Where) -> bool:
+    """Take "(turn them to face each other) across the table" as what is between them; whether it was that."""
+    order, noun = draft.order, where.noun
+    over = order.doing == "turn" and order.mutual == "facing" and where.text.lower() in ("across", "over")
+    order.across += [noun] if over and noun is not None else []
+    return over and noun is not None
+
+
+def _takes_height(draft: OrderDraft, where: Where) -> bool:
+    """Take "at the same height", "level with it" as how high something is to hang; whether it was that."""
+    order, noun = draft.order, where.noun
+    if noun is None or order.doing not in ("add", "put", "move"):
+        return False
+    beside = [w.noun for w in draft.places() if w.word in ("next_to", "left_of", "right_of", "near", "by")]
+    words = where.text.lower().split()
+    if words[-1:] == ["with"] and {"level", "height"} & {*words} and noun.kind in ("thing", "pronoun"):
+        order.level = [mark for mark in beside[-1:] if is_it(noun) and mark is not None] or [noun]
+        return True
+    same = noun.kind == "abstract" and noun.word in ("height", "level") and "same" in noun.text.lower().split()
+    order.level = [mark for mark in beside[-1:] if same and mark is not None]
+    return bool(order.level)
+
+
+_TOWARDS = ("facing", "near", "next_to", "by", "opposite")
+"""Prepositions before what a side of a thing is towards."""
+
+
+def _tells_side(draft: OrderDraft, where: Where) -> bool:
+    """Take "(the chairs on the side) facing the window" as which side of a thing that is; whether it was that."""
+    places = draft.places()
+    side, noun = places[-1] if places else None, where.noun
+    part = side.noun if side is not None else None
+    one = part is not None and part.kind == "part" and part.value in ("side", "end") and not (part.plural or part.each)
+    known = noun is not None and noun.kind in ("place", "thing") and noun.definite and not where.negated
+    far = any(means("nearest", word) == "farthest" for word in where.text.lower().split())
+    if not one or not known or side is None or side.second is not None or where.word not in (*_TOWARDS, "far"):
+        return False
+    if where.word == "far" and not far:
+        return False
+    side.second, side.text = noun, AWAY_SIDE if far else side.text
+    return True
 
 
 def _except(draft: OrderDraft, noun: Noun) -> None:

@@ -134,10 +134,17 @@ def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
         return [*tokens[:at], *faces, *_without_from(tokens[done + seen[1] : end]), *tokens[end:]]
     if (sits := longest("sitting", tokens, done)) is not None and _placed(tokens, done + sits[1]):
         return [*tokens[:at], *tokens[done + sits[1] :]]
-    needs_way = any(means("getting", token.text) for token in tokens[done:end])
+    needs_way = any(means("getting", token.text) for token in tokens[done:end]) or _arranges(tokens, at)
     if [token.text for token in tokens[done:end]] in (["reach", again] for again in _AGAIN):
         return _cut(tokens, at, end)
     return tokens if able is None or needs_way else _cut(tokens, at, end)
+
+
+def _arranges(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what comes before is to be rearranged, of which the purpose is all that says how."""
+    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    verbs = [found[0] for n in range(begin, at) if (found := longest("verbs", tokens, n)) is not None]
+    return verbs[-1:] == ["rearrange"]
 
 
 def _seated(tokens: list[Token], at: int) -> list[Token]:
@@ -167,10 +174,22 @@ def _is_count(tokens: Sequence[Token], at: int) -> bool:
 
 
 def _without_whole(tokens: list[Token], at: int) -> list[Token]:
-    """Without "(push two tables together) to make one long table": what comes of it when they stand so."""
+    """Without "(push two tables together) to make one long table": what comes of it when they stand so.
+
+    Nor with "(take out the armchair) to make space (for it)", which that does by itself.
+    """
+    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    verbs = [found[0] for n in range(begin, at) if (found := longest("verbs", tokens, n)) is not None]
+    room = longest("making_room", tokens, at + 1)
+    if room is not None:
+        end = at + 1 + room[1]
+        ends = end == len(tokens) or tokens[end].text in (*ENDS, *_PARTING)
+        gone = verbs[-1:] == ["remove"] or tokens[at - 1].text in ("out", "away")
+        return _cut(tokens, at, end) if ends and gone else tokens
+    if verbs[-1:] == ["remove"] and at + 1 < len(tokens) and means("aims", tokens[at + 1].text):
+        return _cut(tokens, at, _end(tokens, at + 1))
     words = [token.text for token in tokens[at + 1 : at + 3]]
     makes = words[:1] and words[0] in ("make", "form", "create", "get") and words[1:] and words[1] in ("a", "an", "one")
-    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
     joined = any(token.text == "together" for token in tokens[begin:at])
     return _cut(tokens, at, _end(tokens, at + 1)) if makes and joined else tokens
 

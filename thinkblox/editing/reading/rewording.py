@@ -85,6 +85,8 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
         added = [comma, replace(add, shown=tokens[at].shown)]
         if _is_beside_it(tokens, at):
+            for sides in (n + 3 for n in range(at, min(at + MOST_NAMED, len(tokens))) if _is_at_sides(tokens, n)):
+                left[sides:sides] = [Token(word, word, "word", start=-1) for word in ("of", "it")]
             left[at : at + 1] = added
             continue
         end = next((n for n in range(at + 2, min(at + MOST_NAMED, len(tokens))) if tokens[n].kind == "mark"), None)
@@ -110,6 +112,15 @@ def _is_small(tokens: Sequence[Token], at: int) -> bool:
     return thing is not None and facts_of(thing.value).is_in("small")
 
 
+def _is_at_sides(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "on either side", of nothing that is named, stands there at the end of what is said."""
+    words = [token.text for token in tokens[at : at + 3]]
+    sides = (
+        words[:1] == ["on"] and words[1:2] in (["either"], ["each"], ["both"]) and words[2:] in (["side"], ["sides"])
+    )
+    return sides and (at + 3 == len(tokens) or tokens[at + 3].kind == "mark")
+
+
 def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
     """Whether a phrase with something new says at which side of "it" that is to be: "with a lamp behind it".
 
@@ -119,6 +130,8 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
     if not any(grammar().at(tokens, n, "prepositions") or tokens[n].text == "there" for n in range(begin, at)):
         return False
     for n in range(at + 2, min(at + MOST_NAMED, len(tokens) - 1)):
+        if _is_at_sides(tokens, n):
+            return True
         found = grammar().at(tokens, n, "prepositions")
         if tokens[n].kind == "mark" or (found is not None and found.value not in _ASIDE):
             return False
@@ -127,6 +140,89 @@ def _is_beside_it(tokens: Sequence[Token], at: int) -> bool:
             ends = after + 1 == len(tokens) or tokens[after + 1 : after + 2][0].kind == "mark"
             return after < len(tokens) and tokens[after].text == "it" and ends
     return False
+
+
+_LARGE = ("big", "large", "wide", "long")
+_HOLDING = ("for", "to hold", "to fit", "to take", "to fit under", "to cover", "to go under", "to reach under")
+
+
+def with_borne(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "(a rug) big enough for the chairs" as "; make it bigger so that the chairs are on it"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens) - 3)):
+        if tokens[at].text != "enough" or tokens[at - 1].text not in _LARGE:
+            continue
+        said = " ".join(token.text for token in tokens[at + 1 : at + 4])
+        held = next((words for words in _HOLDING[::-1] if f"{said} ".startswith(f"{words} ")), "")
+        begin = at - 3 if [t.text for t in tokens[at - 3 : at - 1]] in (["that", "is"], ["which", "is"]) else at - 1
+        verb = next((n for n in range(begin - 1, -1, -1) if longest("verbs", tokens, n) is not None), None)
+        rug = verb is not None and any(_lies_flat(tokens, n) for n in range(verb + 1, begin))
+        after = at + 1 + len(held.split())
+        end = next((n for n in range(after, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
+        if not held or not rug or after >= end or tokens[after].text not in (*_ARTICLES, "all", "both"):
+            continue
+        makes = [replace(token, start=-1) for token in tokenise("; make it bigger so that")]
+        shown = " ".join(token.shown for token in tokens[begin:after])
+        makes[1] = replace(makes[1], shown=shown, start=tokens[begin].start)
+        ends = [replace(token, start=-1) for token in tokenise("are on it")]
+        left[begin:end] = [*makes, *tokens[after:end], *ends]
+    return left
+
+
+def _lies_flat(tokens: Sequence[Token], at: int) -> bool:
+    """Whether something is named there that lies flat on the floor: "a rug"."""
+    thing = load("en").longest(list(tokens), at).entry("object")
+    return thing is not None and facts_of(thing.value).is_in("covers")
+
+
+def counted_to(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "reduce the number of chairs (from eight) to six" as "there should only be six chairs"."""
+    tokens = _too_many(tokens)
+    begin = next((n for n, token in enumerate(tokens) if means("counting", token.text)), None)
+    end = next((n for n in range(begin or 0, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
+    to = next((n for n in range(begin or 0, end) if tokens[n].text == "to"), end)
+    said = [token.text for token in tokens[(begin or 0) + 1 : to]]
+    counted = to + 2 == end and (tokens[to + 1].kind == "number" or grammar().at(tokens, to + 1, "count") is not None)
+    if begin is None or not counted or said[:1] not in (["the"], ["my"], ["our"]):
+        return list(tokens)
+    first = begin + (4 if said[1:3] == ["number", "of"] else 2)
+    last = next((n for n in range(first, to) if tokens[n].text in ("from", "down", "up")), to)
+    first += tokens[first].text == "the"
+    there = [replace(token, start=-1) for token in tokenise("there should only be")]
+    there[0] = replace(there[0], shown=" ".join(t.shown for t in tokens[begin:first]), start=tokens[begin].start)
+    number = [replace(tokens[to + 1], start=tokens[to + 1].start)]
+    return [*tokens[:begin], *there, *number, *tokens[first:last], *tokens[end:]] if first < last else list(tokens)
+
+
+def _too_many(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "there are too many chairs, four are enough" as "reduce the chairs to four"."""
+    at = next((n for n in range(1, len(tokens)) if (tokens[n - 1].text, tokens[n].text) == ("too", "many")), None)
+    end = next((n for n in range(at or 0, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
+    if at is None or end + 2 >= len(tokens) or tokens[0].text not in ("there", "we", "i"):
+        return list(tokens)
+    found = longest("wishes", tokens, end + 2)
+    counted = tokens[end + 1].kind == "number" or grammar().at(tokens, end + 1, "count") is not None
+    if found is None or found[0] != "only" or not counted:
+        return list(tokens)
+    first, the, to = (Token(word, word, "word", start=-1) for word in ("reduce", "the", "to"))
+    first = replace(first, shown=" ".join(t.shown for t in tokens[: at + 1]), start=tokens[0].start)
+    return [first, the, *tokens[at + 1 : end], to, tokens[end + 1], *tokens[end + 2 + found[1] :]]
+
+
+def with_its_wall(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "the TV wall" as "the wall with the TV"."""
+    left = list(tokens)
+    for at in reversed(range(2, len(tokens))):
+        begin = next((n for n in range(at - 1, max(at - 4, -1), -1) if tokens[n].text in _ARTICLES), None)
+        named = lexicon.longest(list(tokens[:at]), begin + 1) if begin is not None and begin + 1 < at else None
+        whole = named is not None and named.entry("object") is not None and begin is not None
+        if tokens[at].text != "wall" or begin is None or named is None or not whole or begin + 1 + named.length != at:
+            continue
+        the, wall, along = (Token(word, word, "word", start=-1) for word in ("the", "wall", "with"))
+        shown = " ".join(token.shown for token in tokens[begin : at + 1])
+        wall = replace(wall, shown=shown, start=tokens[begin].start)
+        left[begin : at + 1] = [the, wall, along, the, *(replace(t, start=-1) for t in tokens[begin + 1 : at])]
+    return left
 
 
 def in_its_place(tokens: Sequence[Token]) -> list[Token]:

@@ -17,7 +17,7 @@ def with_rows(tokens: list[Token]) -> list[Token]:
         if token.text in words and (tokens[index + 1].text == "row" or rows):
             read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
-        if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
+        if tokens[index + 1].text == "round" and tokens[index + 2].text in ("one", "ones"):
             read[index + 1] = replace(tokens[index + 1], text="circular")
         if tokens[index].text in ("a", "an", "another") and tokens[index + 1].text == "lower":
             read[index + 1] = replace(tokens[index + 1], text="lowest")

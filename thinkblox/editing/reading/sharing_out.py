@@ -16,6 +16,11 @@ def is_each_of_new(draft: OrderDraft, noun: Noun) -> bool:
     """Whether it says of every one of what is added what comes with it: "two desks, each with a chair"."""
     new = draft.order.doing in ("add", "put", "ensure") and bool(draft.order.things)
     following = draft.ahead()
+    along = draft.mode == "instead" and len(draft.order.instead) > 1 and not draft.order.instead[-1].places
+    ends = following is None or (isinstance(following, Connector) and following.sort == "mark")
+    if along and noun.kind == "pronoun" and noun.det == "each" and ends:
+        draft.order.eached = True
+        return True
     linked = isinstance(following, Connector) and following.value == "with"
     said = new and linked and noun.kind == "pronoun" and noun.det in ("each", "both", "all")
     said |= new and noun.kind == "pronoun" and noun.det == "each" and _is_along(draft)
@@ -111,7 +116,7 @@ def shares_out(draft: OrderDraft, noun: Noun) -> bool:
     one = noun.kind == "pronoun" and noun.value == "one"
     bare = one or (noun.kind == "number" and not noun.det and not noun.ordinal and not noun.rows)
     return (
-        draft.order.doing in ("add", "put")
+        draft.order.doing in ("add", "put", "ensure")
         and last is not None
         and bare
         and ((last.noun.count or 0) > 1 or (one and last.noun.plural and draft.each_follows()))

@@ -29,8 +29,10 @@ def with_sides(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 
 def _plain(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> Token:
-    """A token, of "northern" before a thing "north"."""
+    """A token, of "northern" before a thing "north"; the half of a room is the side of it."""
     token, after = tokens[at], list(tokens[at + 1 : at + 4])
+    if token.text == "half" and [word.text for word in after] == ["of", "the", "room"]:
+        return replace(token, text="side", shown="side")
     side = next((side for side in WAYS if token.text in [side + ending for ending in _ENDINGS]), "")
     named = bool(after) and (after[0].text == "one" or lexicon.longest(after, 0).entry("object") is not None)
     return replace(token, text=side, shown=side) if side and named else token
