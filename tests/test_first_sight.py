@@ -177,3 +177,16 @@ def test_one_sits_in_the_angle_of_a_desk_with_a_wing():
     room = made("An office with an L-shaped desk against the wall, a computer on it and a bookcase.")
     (desk,), (chair,) = placed(room, "corner_desk"), placed(room, "office_chair")
     assert desk.footprint.contains(chair.footprint.centroid)
+
+
+@pytest.mark.slow
+def test_every_two_that_share_a_table_stand_in_a_row_with_it_between_them():
+    room = made(
+        "The relaxation room of a spa. Four loungers, every two loungers share a low table with a candle on it."
+    )
+    assert room.report.complete
+    loungers, tables = placed(room, "lounger"), placed(room, "coffee_table")
+    assert (len(loungers), len(tables)) == (4, 2)
+    for table in tables:
+        near = sorted(float(table.footprint.distance(lounger.footprint)) for lounger in loungers)
+        assert near[1] < 0.5 < near[2]

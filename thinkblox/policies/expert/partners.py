@@ -1,6 +1,7 @@
 """Two things with a third between them: the second leaves just the room beside the first that the third needs."""
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, is_object
@@ -36,6 +37,13 @@ def gaps_in_row(situation: Situation) -> tuple[float, ...]:
     between = (t for t in situation.observation.plan.targets if alike.issuperset(_sharers(t)) and _sharers(t))
     width = max((situation.kind(t).size[1] for t in between if _takes_floor(situation, t)), default=0.0)
     return tuple(round(width + 2 * air, 3) for air in AIRS) if width else ()
+
+
+def shared_gaps(situation: Situation) -> frozenset[int]:
+    """After which members of a request something comes between them and the next."""
+    alike = [t.id for t in situation.observation.plan.targets if t.request == situation.target.request]
+    pairs = {frozenset(_sharers(t)) for t in situation.observation.plan.targets if _takes_floor(situation, t)}
+    return frozenset(n for n, pair in enumerate(pairwise(alike)) if frozenset(pair) in pairs)
 
 
 def beside_each(situation: Situation) -> float:

@@ -7,7 +7,7 @@ import numpy as np
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import WALL_GAP
-from thinkblox.policies.expert.partners import beside_each, gaps_in_row
+from thinkblox.policies.expert.partners import beside_each, gaps_in_row, shared_gaps
 from thinkblox.policies.expert.row_layout import is_in_blocks
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import oriented
@@ -16,6 +16,8 @@ from thinkblox.value import Vec2
 
 WIDEST = 1.6
 """How far neighbours are drawn apart to use a long wall [m]."""
+PAIRS = 0.3
+"""Free distance between pairs that have something between them, at most [m]."""
 PLACES = 13
 """Places tried along a wall."""
 ONE_WALL = 0.6
@@ -42,9 +44,12 @@ def _is_sat_round(situation: Situation) -> bool:
 
 def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list[float], float]]:
     """Centres [m] and yaws [degrees] of all members of a request along walls, and what each way costs."""
-    told = tie.rows and (tie.asked or gaps_in_row(situation))
+    shared = shared_gaps(situation)
+    paired = 0 < len(shared) < tie.count - 1
+    told = tie.rows and (tie.asked or (shared and not paired))
     for rows in (tie.rows,) if told else (1, 2):
         columns = -(-tie.count // rows)
+        columns += columns % 2 if paired else 0
         dear = ONE_WALL * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
         dear += TOO_LONG * max(0, columns - LONG) * (rows < tie.rows)
         counts = [min(columns, tie.count - row * columns) for row in range(rows)]
@@ -82,7 +87,10 @@ def _row(
     situation: Situation, walls: tuple[Wall, ...], counts: list[int], gap: float, share: float
 ) -> tuple[list[Vec2], list[float]] | None:
     turn, (depth, width) = oriented(situation.size, situation.asset.front)
-    length = counts[0] * (width + gap) - gap
+    shared = shared_gaps(situation)
+    close = min(gap, *situation.facts.row.beside, PAIRS) if shared else gap
+    apart = [gap if not shared or n in shared else close for n in range(sum(counts))]
+    length = counts[0] * width + sum(apart[: counts[0] - 1])
     free = walls[0].length - length - 2 * WALL_GAP
     if free < 0.0:
         return None
@@ -90,7 +98,8 @@ def _row(
     yaws: list[float] = []
     for row, (wall, count) in enumerate(zip(walls, counts, strict=True)):
         for column in range(count):
-            along = WALL_GAP + share * free + column * (width + gap) + width / 2
+            first = sum(counts[:row])
+            along = WALL_GAP + share * free + column * width + sum(apart[first : first + column]) + width / 2
             if row:
                 x, y = walls[0].point(along, 0.0)
                 along = wall.coordinates((x, y))[0]
