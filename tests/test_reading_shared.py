@@ -342,3 +342,23 @@ def test_what_was_told_of_them_stays_when_they_are_counted() -> None:
     assert asked(brief) == {"chair": 4}
     assert set(brief.request("chair").attributes) == {"white", "wooden"}
     assert told("All of the cups are on a tray. There are six cups.")[0] == {"cup": 6, "tray": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "A rug lies between the beds, and a chest stands on that.",
+            {"rug": 1, "bed": 2, "chest": 1},
+            {"rug between bed", "rug under chest"},
+        ),
+        (
+            "Four desks with a lamp on each. My own desk is in the corner with a plant on it.",
+            {"desk": 4, "desk_lamp": 4, "desk-2": 1, "potted_plant": 1},
+            {"desk_lamp on desk each", "desk-2 in_corner corner", "potted_plant on desk-2"},
+        ),
+        ("Both beds have a pillow.", {"bed": 2, "pillow": 2}, {"pillow on bed each"}),
+    ],
+)
+def test_which_of_them_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -236,7 +236,8 @@ class Referents:
 
     def last(self, subject: Sequence[Mention], *, lying: bool = False) -> Mention | None:
         """What was spoken of last, furniture before what lies on it unless that is beside something `lying` there."""
-        recent = [t for t in self._recent() if t not in subject]
+        named = [t for t in self._recent() if t not in subject]
+        recent = [t for t in named if not t.many] or named
         if lying and recent:
             on_it = (b.subject for b in self.draft.bonds if b.kind == "on" and recent[0] in b.anchors)
             return recent[0] if is_small(recent[0]) else next((t for t in on_it if t in recent[1:2]), recent[0])
@@ -431,7 +432,9 @@ def _is_another_kind(noun: Noun, thing: Mention) -> bool:
 
 
 def _is_one_besides(noun: Noun, thing: Mention) -> bool:
-    """Whether "the armchair" is none of several things of a more general kind: of six chairs."""
+    """Whether "the armchair" is none of six chairs, and "my own desk" none of several."""
+    if noun.det == "my" and not noun.plural and noun.text.lower().split()[1:2] == ["own"]:
+        return thing.many
     lone = noun.det == "the" and not (noun.plural or noun.ordinal or noun.side or noun.degree or noun.of_known)
     own = noun.named and noun.value in CATALOGUE and noun.count in (None, 1) and last_word(thing) != noun.word
     return lone and own and thing.many and noun.value != thing.noun and not counts_as(thing.noun, noun.value)

@@ -175,7 +175,8 @@ class SecondOpinion:
         if place.to is None and place.link.value not in _ELIDING:
             return True
         told = [bond for bond in self._bonds(subjects) if not bond.implied]
-        told += [b for b in self._draft.bonds if b.kind == "right_of" and set(b.anchors) & set(subjects)]
+        turned = ("right_of", "under") if place.link.value in ("on", "on_top") else ("right_of",)
+        told += [b for b in self._draft.bonds if b.kind in turned and set(b.anchors) & set(subjects)]
         part = place.to if place.to is not None and place.to.kind == "part" else None
         ends = _is_at_wall(told) or any(bond.kind == "at_short_side" for bond in told)
         tops = [bond.anchors for bond in told if bond.kind == "on"]
