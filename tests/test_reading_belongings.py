@@ -192,3 +192,12 @@ def test_a_table_stands_between_things_with_its_chairs() -> None:
         "A sofa along the left wall, a bed along the right wall and a table with two chairs between them."
     )
     assert {"2 chair around dining_table", "1 dining_table between sofa bed"} <= related(brief)
+
+
+def test_a_stand_is_called_after_what_is_on_it() -> None:
+    brief = read_brief("A TV on a stand with two speakers.")
+    assert {"1 tv on tv_stand", "2 speaker on tv_stand"} == related(brief)
+
+
+def test_what_hangs_is_not_in_the_middle_of_the_room() -> None:
+    assert read_brief("A sofa and a wall shelf in the middle.").unknown == ("a wall shelf in the middle (of what?)",)

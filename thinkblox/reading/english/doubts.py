@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.antecedents import OpenReference
@@ -145,8 +146,9 @@ class Doubts(Corrections):
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
         where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
-        lies = is_small(bond.subject) and self._is_carried(bond.subject)
-        return f"{bond.subject.text} in the {where} (of what?)" if tops and where and lies else ""
+        lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
+        lies |= where == "middle" and kind_of(bond.subject.noun).mount == "wall"
+        return f"{bond.subject.text} in the {where} (of what?)" if where and lies else ""
 
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
         """What is said of a thing that has to lie on something, or cannot."""

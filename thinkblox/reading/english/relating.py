@@ -198,6 +198,10 @@ class Relating(Naming):
     def _call_after_content(self, holder: Mention, content: str) -> None:
         """Take "a rack with test tubes", "umbrellas in the stand" for the rack and the stand that are for these."""
         named = self.named_by.get(holder)
+        borne = (
+            b.subject.noun for b in self.draft.bonds if b.kind == "on" and b.anchors == (holder,) and not b.implied
+        )
+        content = next(borne, content)
         called = called_after(content, named) if named is not None and not holder.many else ""
         if called:
             holder.noun = called
