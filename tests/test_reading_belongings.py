@@ -201,3 +201,9 @@ def test_a_stand_is_called_after_what_is_on_it() -> None:
 
 def test_what_hangs_is_not_in_the_middle_of_the_room() -> None:
     assert read_brief("A sofa and a wall shelf in the middle.").unknown == ("a wall shelf in the middle (of what?)",)
+
+
+def test_one_seats_so_many_is_a_verb() -> None:
+    brief = read_brief("Two small tables; one seats two people, the other four, hence six chairs.")
+    assert [r.count for r in brief.requests if r.category == "chair"] == [6]
+    assert {a for r in brief.requests for a in r.attributes if a.startswith("for-")} == {"for-2"}
