@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.scene.derived import kept
-from thinkblox.scene.scene import Scene
+from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.sim.build import FREE_SUFFIX, build_spec, compiled
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics
@@ -69,7 +69,7 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
 
 def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:
     """Let a whole scene come to rest, everything free, from the poses that it proposes; done once for a scene."""
-    return _settled(scene, physics or Physics())
+    return _settled(scene_given(scene), physics or Physics())
 
 
 @kept

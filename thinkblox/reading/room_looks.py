@@ -18,7 +18,7 @@ _COVERS = ("leather", "fabric")
 
 
 @dataclass(frozen=True)
-class Finish:
+class RoomFinish:
     """What the looks of a room ask for: of its surfaces, of its furniture, and what neither can have."""
 
     surfaces: tuple[SurfaceRequest, ...]
@@ -26,7 +26,7 @@ class Finish:
     unmet: tuple[str, ...]
 
 
-def finish_of_room(looks: Sequence[str], tones: Sequence[Look]) -> Finish:
+def finish_of_room(looks: Sequence[str], tones: Sequence[Look]) -> RoomFinish:
     """What all the looks of a room ask for.
 
     Args:
@@ -43,7 +43,7 @@ def finish_of_room(looks: Sequence[str], tones: Sequence[Look]) -> Finish:
     surfaces = tuple(request for look, request in found.items() if look not in own)
     shown = {word for look in furniture for word in look}
     unmet = tuple(look for look in looks if look not in found and look not in shown)
-    return Finish(surfaces, tuple(dict.fromkeys(furniture)), unmet)
+    return RoomFinish(surfaces, tuple(dict.fromkeys(furniture)), unmet)
 
 
 def _worn(tone: Look) -> Look:
