@@ -302,8 +302,6 @@ class PhraseReader(Heads):
             return self._kind_of_one(noun, at, units, known)
         if known is not None and not units.nouns and self._is_shade(at, known.length):
             known = None
-        if stop is not None and noun.count == 1 and not noun.det and self.tokens[at].text == "seats":
-            return 0
         if known is not None and self._is_better(known, stop, units):
             return self._take(noun, at, units, known)
         if not units.nouns and (length := self._adjective(noun, at)):
@@ -435,6 +433,8 @@ class PhraseReader(Heads):
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         if text in grammar().lists["befell"] and units.nouns:
+            return True
+        if text == "seats" and noun.count == 1 and not noun.det:
             return True
         if text == "measures" and units.nouns and self.size_at(at + 1) is not None:
             return True
