@@ -190,3 +190,18 @@ def test_every_two_that_share_a_table_stand_in_a_row_with_it_between_them():
     for table in tables:
         near = sorted(float(table.footprint.distance(lounger.footprint)) for lounger in loungers)
         assert near[1] < 0.5 < near[2]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A hotel gym with three treadmills side by side and two exercise bikes behind them.", "treadmill"),
+        ("A lounge with three armchairs side by side and a coffee table.", "armchair"),
+    ],
+)
+def test_alike_things_side_by_side_look_one_way_and_stand_in_one_line(prompt, category):
+    row = placed(made(prompt), category)
+    assert len(row) == 3
+    assert all(turn_between(row[0].yaw, other.yaw) < 1.0 for other in row)
+    assert all(abs(row[0].to_local(other.position[:2])[0]) < 0.05 for other in row)

@@ -22,6 +22,8 @@ _HELD = ("on", "inside")
 """Relations to the very thing that was named, whatever carries that."""
 _DRAWN_UP = ("around", "at", "at_long_side", "at_short_side", "next_to")
 """Relations by which seats belong to a table."""
+_ROW = 3
+"""From so many on alike things that are next to each other stand in a row that is laid out as a whole."""
 _MIRRORED: dict[str, RelationKind] = {
     "next_to": "next_to",
     "near": "near",
@@ -127,15 +129,24 @@ def _tie_company(relation: Relation, subjects: list[Member]) -> None:
     rows = next((tie.rows for tie in subjects[0].ties if tie.kind == "in_rows"), 0)
     paired = relation.kind in _PAIRED and (rows == 2 or len(subjects) > 1)
     half = len(subjects) // 2 if paired else 0
+    one_row = relation.kind == "next_to" and _is_one_row(subjects)
     for index, subject in enumerate(subjects):
         if half:
             partner = subjects[index - half] if index >= half else None
         else:
             partner = subjects[index - 1] if index else None
         anchors = (partner.id,) if partner else ()
+        if one_row:
+            subject.ties.append(Tie(kind="in_rows", index=index, count=len(subjects), rows=1, asked=False))
         subject.ties.append(
             Tie(kind=relation.kind, anchors=anchors, index=index, count=len(subjects), asked=relation.asked)
         )
+
+
+def _is_one_row(subjects: list[Member]) -> bool:
+    """Whether so many on the floor are side by side that they need their places, and one direction, at once."""
+    first = subjects[0]
+    return len(subjects) >= _ROW and first.mount == "floor" and not first.flat and not first.ties
 
 
 def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:

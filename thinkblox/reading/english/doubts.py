@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
-from thinkblox.assets import kind_of
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.antecedents import OpenReference
@@ -147,7 +146,7 @@ class Doubts(Corrections):
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
         where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
         lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
-        lies |= where == "middle" and kind_of(bond.subject.noun).mount == "wall"
+        lies |= where == "middle" and self.habits.is_in(bond.subject.noun, "wallpieces")
         return f"{bond.subject.text} in the {where} (of what?)" if where and lies else ""
 
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
