@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.antecedents import OpenReference
@@ -13,6 +14,8 @@ from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small, last_word, parts_of
 from thinkblox.reading.stacks import STACKED
 
+_FULL_HEIGHT = 1.8
+"""So high, what hangs parts a room in its middle as well, as a curtain does [m]."""
 _FURNITURE = ("seats", "chairs", "tables", "desks", "beds", "lounges", "storage", "shelves")
 """What stands on the floor."""
 _BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind")
@@ -146,7 +149,8 @@ class Doubts(Corrections):
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
         where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
         lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
-        lies |= where == "middle" and self.habits.is_in(bond.subject.noun, "wallpieces")
+        hung = self.habits.is_in(bond.subject.noun, "wallpieces") and kind_of(bond.subject.noun).size[2] < _FULL_HEIGHT
+        lies |= where == "middle" and hung
         return f"{bond.subject.text} in the {where} (of what?)" if where and lies else ""
 
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
