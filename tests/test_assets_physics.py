@@ -57,6 +57,7 @@ def _add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape, name: str
         geom.meshname = name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FREE)
 def test_stands_still_for_a_second(name: str) -> None:
     for seed in (0, 1):

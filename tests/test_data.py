@@ -118,6 +118,7 @@ def test_made_twice_it_is_the_same(dataset: Path, tmp_path: Path) -> None:
     assert files(tmp_path / "again") == files(dataset)
 
 
+@pytest.mark.slow
 def test_what_is_there_is_not_made_again(dataset: Path, tmp_path: Path) -> None:
     def nobody(function, shards):
         assert shards == []

@@ -160,6 +160,7 @@ def test_a_glass_comes_beside_each_plate(said: str) -> None:
     assert all(p.support == "dining_table_1" for p in new)
 
 
+@pytest.mark.slow
 def test_room_for_something_is_found_or_told_and_nothing_changes() -> None:
     before = living()
     there = edit_room(before, "Make room for a stool")

@@ -33,6 +33,7 @@ def lived_in() -> Generation:
     return generate_room(PROMPT, fill="lived-in")
 
 
+@pytest.mark.slow
 def test_a_lived_in_room_is_full_and_valid(lived_in: Generation) -> None:
     assert 60 <= len(lived_in.scene.placements) <= 120
     assert lived_in.report.valid

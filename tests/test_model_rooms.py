@@ -143,6 +143,7 @@ BAD = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", BAD.values(), ids=BAD.keys())
 def test_bad_answers_are_rejected_with_a_reason_and_a_place_is_found(text):
     prompt = "An empty room with nothing in it but a chair."

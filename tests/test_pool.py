@@ -252,6 +252,7 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_again() -> None:
     assert gone([first, second])
 
 
+@pytest.mark.slow
 def test_a_worker_that_stands_still_is_replaced_while_the_others_go_on() -> None:
     every = jobs()
     with VerdictPool(workers=2, timeout=2.0) as pool:
@@ -266,6 +267,7 @@ def test_a_worker_that_stands_still_is_replaced_while_the_others_go_on() -> None
         assert gone([stopped])
 
 
+@pytest.mark.slow
 def test_only_the_candidate_that_hangs_goes_without_a_verdict() -> None:
     room = scene(None, (put(CRATE, 2.0, 2.0), CRATE))
     hangs = put(CRATE, 1.0, 1.0, 1.0, id="crate_7")
@@ -277,6 +279,7 @@ def test_only_the_candidate_that_hangs_goes_without_a_verdict() -> None:
     assert "no answer for 1 s" in verdicts[1].message
 
 
+@pytest.mark.slow
 def test_a_job_of_which_nothing_can_be_measured_ends_soon(monkeypatch: pytest.MonkeyPatch) -> None:
     started: list[int] = []
 
@@ -311,6 +314,7 @@ def test_no_process_at_all_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
         VerdictPool(workers=2)
 
 
+@pytest.mark.slow
 def test_a_pool_that_loses_the_means_to_replace_a_worker_goes_on_with_the_others(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

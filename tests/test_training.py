@@ -236,6 +236,7 @@ def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> 
     assert max(taken[2:]) < 0.8
 
 
+@pytest.mark.slow
 def test_pictures_keep_their_places_where_prompts_are_padded(data: str, tmp_path: Path) -> None:
     """Of prompts of different lengths in one batch, TRL is told rightly which tokens stand for pictures."""
     from thinkblox.training.gdpo import gdpo_trainer

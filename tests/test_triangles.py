@@ -60,6 +60,7 @@ def test_a_cylinder_lies_within_a_millimetre_of_its_circle(r: float, half: float
     assert r * (1 - math.cos(math.pi / n)) <= CHORD * 1.0001
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(radius, radius, radius)
 def test_an_ellipsoid_is_closed_and_nearly_its_volume(a: float, b: float, c: float) -> None:

@@ -151,6 +151,7 @@ def test_a_worker_that_is_killed_again_and_again_while_it_starts_does_not_close_
         assert only.check_one(*job())[0].valid
 
 
+@pytest.mark.slow
 def test_a_pool_whose_workers_are_killed_for_ever_says_so(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     killed = tmp_path / "python"
     killed.write_text("#!/bin/sh\nkill -9 $$\n")
