@@ -68,7 +68,7 @@ class Bench:
         model.answer(chat, n, np.random.default_rng(0))
         return self._clock() - start
 
-    def best(self, run: Callable[[], float], times: int = 3) -> float:
+    def best(self, run: Callable[[], float], times: int = 5) -> float:
         """The least of some."""
         return min(run() for _ in range(times))
 

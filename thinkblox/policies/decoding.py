@@ -69,6 +69,9 @@ class Decoder:
         self._reuse = reuse
         self._kept = _Kept()
         self._ends = _ends(model, tokenizer)
+        self._embed = model.get_input_embeddings()
+        self._language = model.model.language_model
+        self._closing: dict[int, bool] = {}
         self.counts = Counts()
 
     def continuations(
@@ -141,8 +144,8 @@ class Decoder:
         import torch
 
         ids = torch.tensor([tokens], device=self._device)
-        out = self._model.model.language_model(
-            inputs_embeds=self._model.get_input_embeddings()(ids),
+        out = self._language(
+            inputs_embeds=self._embed(ids),
             position_ids=torch.full((3, 1, len(tokens)), position, device=self._device),
             attention_mask=branches.grown(going),
             past_key_values=branches.cache,
@@ -179,7 +182,9 @@ class Decoder:
         row.tokens.append(token)
         if row.matcher is not None and (not row.matcher.consume_token(token) or row.matcher.is_stopped()):
             return False
-        return END not in self._tokenizer.decode(row.tokens[-_TAIL:])
+        if token not in self._closing:
+            self._closing[token] = END[-1] in self._tokenizer.decode([token])
+        return not self._closing[token] or END not in self._tokenizer.decode(row.tokens[-_TAIL:])
 
     def _text(self, row: "_Row") -> str:
         text = str(self._tokenizer.decode(row.tokens))
