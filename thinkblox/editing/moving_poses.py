@@ -20,6 +20,7 @@ from thinkblox.editing.goals import (
 )
 from thinkblox.editing.reaching import without
 from thinkblox.editing.spots import (
+    BACK,
     Pose,
     along_walls,
     at_wall,
@@ -32,6 +33,7 @@ from thinkblox.editing.spots import (
 from thinkblox.editing.stepping import SLIGHT_STEPS, STEPS
 from thinkblox.editing.turning import turns
 from thinkblox.editing.work import Work
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
@@ -67,11 +69,20 @@ def spots_for(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
         x, y = work.scene.room.polygon.centroid.coords[0]
         yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
     if any(isinstance(g, Related) and g.kind == "against_wall" and g.anchors == ("wall",) for g in goals):
+        yield from _straight_back(empty, work.asset_of(id), before)
         yield from along_walls(empty, work.asset_of(id), before.position[:2], math.inf)
     for goal in goals:
         if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount in ("floor", "wall"):
             yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
+
+
+def _straight_back(scene: Scene, asset: Asset, before: Placement) -> Iterator[Pose]:
+    """At the wall behind its back, turned as it is."""
+    for wall in scene.room.walls if asset.front == "one" else ():
+        if abs((wall.yaw - before.yaw + 180.0) % 360.0 - 180.0) < 1.0:
+            x, y = wall.point(wall.coordinates(before.position[:2])[0], BACK[0] + asset.size[0] / 2)
+            yield (round(x, 4), round(y, 4), before.position[2]), wall.yaw
 
 
 def midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

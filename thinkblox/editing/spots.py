@@ -225,7 +225,7 @@ def _before_seat(scene: Scene, asset: Asset, table: Placement, seat: Placement) 
     """On the highest top of a table, from its edge before a seat inwards, turned to who sits there."""
     tops = [s.position[2] for s in scene.asset_of(table).surfaces if not s.inner]
     for ahead in np.arange(0.2, BEFORE_SEAT, STEP):
-        for left in (0.0, 0.1, -0.1, 0.2, -0.2):
+        for left in (0.0, 0.1, -0.1, 0.15, -0.15, 0.2, -0.2):
             x, y = seat.to_room((float(ahead), left))
             height = round(table.position[2] + max(tops, default=table.size[2]), 4)
             yield (round(x, 4), round(y, 4), height), round((seat.yaw + 180.0) % 360.0, 3) % 360.0

@@ -173,7 +173,7 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
     found = _thing(where, noun, category, finder, ())
     singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
-    if found.kind in ("in_front_of", "at") and facts_of(category).is_in("small"):
+    if _may_be_laid(where, found.kind, category):
         found_each = [_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None]
         return [_upon(one, category, finder) for one in found_each]
     return [_upon(dataclasses.replace(found, anchors=(anchor,)), category, finder) for anchor in found.anchors]
@@ -842,10 +842,15 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
     if not anchors:
         raise InputError(f"'{place_text(where)}': there is nothing yet that '{noun.text}' could be")
     kind = _fitting(kind, where, category, anchors[0], finder)
-    if kind in ("in_front_of", "at") and facts_of(category).is_in("small") and len(anchors) == 1:
+    if _may_be_laid(where, kind, category) and len(anchors) == 1:
         table = table_of(finder.scene, anchors[0])
         return Bound("on", (table,), seat=anchors[0]) if table else Bound(kind, anchors)
     return Bound(kind, anchors)
+
+
+def _may_be_laid(where: Where, kind: RelationKind, category: str) -> bool:
+    """Whether something small lies on the table before a seat when it is put there."""
+    return facts_of(category).is_in("small") and (kind in ("in_front_of", "at") or where.word in ("at", "by"))
 
 
 def table_of(scene: Scene, seat: str) -> str:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import ENDS
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -49,7 +50,9 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
     words = [token.text for token in tokens[at : at + 4]]
     if words[:2] == ["another", "one"] or words[:2] == ["one", "more"]:
         length = 2
-    elif words[:1] == ["one"] and at and tokens[at - 1].text in ("add", "buy", "get"):
+    elif (
+        words[:1] == ["one"] and at and (tokens[at - 1].text in ("add", "buy", "get") or _goes_on_counting(tokens, at))
+    ):
         length = 1
     elif words[:1] == ["a"] and words[1:2] and words[1] in _SECOND and words[2:3] == ["one"]:
         length = 3
@@ -63,8 +66,23 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
 
 _PLACES = frozenset(
     "at by next near beside on in under above over below behind against along opposite around between to where there"
-    " here as too with from".split()
+    " here as too with from to onto".split()
 )
+
+
+def _is_added(tokens: Sequence[Token], at: int) -> bool:
+    return at > 0 and tokens[at - 1].text in ("add", "buy", "get")
+
+
+def _goes_on_counting(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it counts on from what goes somewhere else: "(put) two cups on the desk and one (on the shelf)"."""
+    begin = next((n for n in reversed(range(at)) if _verb(tokens, n)), at)
+    before = [token.text for token in tokens[begin:at]]
+    counted = any(token.kind == "number" or grammar().at(tokens, n, "count") is not None
+                  for n, token in enumerate(tokens[begin + 1 : begin + 3], begin + 1))  # fmt: skip
+    each = next((n for n in range(at, min(at + 4, len(tokens))) if tokens[n].text in ("each", "either")), None)
+    shared = "one" in before or (each is not None and grammar().at(tokens, each + 1, "parts") is not None)
+    return before[-1:] == ["and"] and counted and not shared and bool(_PLACES & {*before})
 
 
 def _named(lexicon: Lexicon, tokens: Sequence[Token], begin: int, end: int) -> list[Token]:

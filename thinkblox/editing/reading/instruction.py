@@ -14,6 +14,7 @@ from thinkblox.editing.reading.corrections import corrected
 from thinkblox.editing.reading.ellipsis import each_order, stand_between
 from thinkblox.editing.reading.its_own import with_its_own
 from thinkblox.editing.reading.leads import without_announcements, without_reasons
+from thinkblox.editing.reading.one_here import one_here_one_there
 from thinkblox.editing.reading.order_reader import read_order
 from thinkblox.editing.reading.purposes import without_purposes
 from thinkblox.editing.reading.rewording import (
@@ -65,7 +66,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(_DASH.sub(" , ", text)), ids), ids)
     spelt = [without_slip(lexicon, token) for token in lexicon.tokens(plain)]
-    read = as_seen(corrected(lexicon, with_sides(lexicon, spelt)))
+    read = one_here_one_there(lexicon, as_seen(corrected(lexicon, with_sides(lexicon, spelt))))
     more = with_settings(with_more_said(lexicon, read))
     again = with_another(lexicon, with_its_own(lexicon, with_verbs(lexicon, without_purposes(more))))
     owned = with_its_wall(lexicon, with_owners(lexicon, with_heads(lexicon, with_own(lexicon, counted_to(again)))))
