@@ -37,6 +37,7 @@ from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.place_settings import with_place_settings
@@ -151,6 +152,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_passing,
         with_belongings,
         with_bare_fronts,
+        with_openings_meant,
         with_denied_places,
         with_kept_clear,
         with_switched,

@@ -25,6 +25,8 @@ _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
 _END = Connector("mark", "stop", 0, 0)
 """What ends a text."""
+_ANGLED = "angled"
+"""What is said of what is turned to something, unless it is so only slightly."""
 _LOOSE = ("scattered", "strewn", "dotted")
 """How things lie that are in no order, as all do of which nothing is said."""
 
@@ -131,6 +133,8 @@ class Clauses(Audit):
             and before.text.lower()[-2:] == "ly"
         ):
             start = before.start
+        elif words[said] == _ANGLED and link.value == "facing":
+            return
         self._lose(start, link.start + (len(words) if link.sort != "prepositions" else said + 1))
 
     def _say_of_all(self, link: Connector) -> None:

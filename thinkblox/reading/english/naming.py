@@ -18,6 +18,8 @@ _DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand that people take at a table."""
 SEATERS = {"for-1": "one-seat", "for-2": "two-seat", "for-3": "three-seat", "for-4": "four-seat"}
 """What a sofa for so many is called."""
+_SLEEPERS = {"for-1": "single", "for-2": "double"}
+"""What a bed for so many is called."""
 _ANGLED = "L-shaped"
 """What a corner sofa is wherever it stands."""
 
@@ -315,8 +317,9 @@ class Naming(Several):
         thing.vague |= noun.share > 0
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
         thing.seats, thing.size = noun.seats, noun.size
-        if noun.seats and self.habits.is_in(noun.value, "lounges", "seats", "chairs"):
-            thing.seats, thing.attributes = 0, [SEATERS.get(a, a) for a in thing.attributes]
+        called = SEATERS if self.habits.is_in(noun.value, "lounges", "seats", "chairs") else _SLEEPERS
+        if noun.seats and (called is SEATERS or self.habits.is_in(noun.value, "beds")):
+            thing.seats, thing.attributes = 0, [called.get(a, a) for a in thing.attributes]
         thing.groups, thing.group = noun.groups, noun.group
         thing.called = noun.called
         self.draft.things.append(thing)

@@ -459,10 +459,13 @@ class PhraseReader(Heads):
         return any(before[n : n + len(name)] == name for n in range(len(before) - len(name) + 1))
 
     def _is_state_at_end(self, at: int) -> bool:
-        """Whether only how the thing is to be found comes: "Curtains closed."."""
+        """Whether only how the thing is to be found comes, and where: "Curtains closed.", "mats | rolled up in ..."."""
         state = grammar().at(self.tokens, at, "states")
-        end = at + state.length if state is not None else 0
-        return bool(end) and (end >= len(self.tokens) or self.tokens[end].kind == "mark")
+        if state is None or grammar().at(self.tokens, at, "prepositions") is not None:
+            return False
+        end = at + state.length
+        placed = state.length > 1 and grammar().at(self.tokens, end, "prepositions") is not None
+        return placed or end >= len(self.tokens) or self.tokens[end].kind == "mark"
 
     def is_after_noun(self, at: int) -> bool:
         """Whether words that hyphens join describe the noun before them: "a TV wall-mounted opposite it"."""

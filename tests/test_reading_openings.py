@@ -1,0 +1,67 @@
+"""What stands by a window or door that was just named, and places told by an end of a bed."""
+
+import pytest
+
+from tests.test_reading_shared import asked, related, told
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bedroom with a window on the north wall and a bench below it.", "bench next_to window"),
+        ("A living room with a big window. Under it stands a bench.", "bench next_to window"),
+        ("A reading corner by the bay window with a bench under it.", "bench next_to window"),
+        ("A kitchen with a sink and a window above it.", "sink next_to window"),
+        ("A hall with a door and a mirror next to it.", "mirror next_to door"),
+    ],
+)
+def test_it_is_the_opening_that_was_named(prompt: str, relation: str) -> None:
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    assert relation in related(brief)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bathroom where a tub stands under the window, with a stool next to it.", "stool next_to bathtub"),
+        ("A bedroom with a bed, a window and a rug under it.", "rug under bed"),
+        ("A study with a desk, a window, and a lamp on it.", "desk_lamp on desk"),
+    ],
+)
+def test_it_is_the_thing_where_the_opening_only_says_where(prompt: str, relation: str) -> None:
+    assert relation in related(read_brief(prompt))
+
+
+@pytest.mark.parametrize("where", ["opposite the foot of", "across from the foot of"])
+def test_what_is_opposite_the_foot_is_opposite_the_bed(where: str) -> None:
+    assert told(f"A bedroom with a bed and a dresser {where} the bed.") == (
+        {"bed": 1, "dresser": 1},
+        {"dresser opposite bed"},
+    )
+
+
+def test_what_is_angled_to_something_faces_it() -> None:
+    _, relations = told("A lounge with two armchairs angled toward each other.")
+    assert relations == {"armchair facing armchair"}
+    _, relations = told("A living room with a sofa and an armchair angled toward the sofa.")
+    assert relations == {"armchair facing sofa"}
+    assert read_brief("A living room with a sofa and an armchair slightly angled toward it.").unknown
+
+
+def test_how_a_thing_is_found_does_not_change_its_name() -> None:
+    things, relations = told("A gym with three yoga mats rolled up in the corner.")
+    assert (things, relations) == ({"yoga_mat": 3}, {"yoga_mat in_corner corner"})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [("A studio with a two-person table.", "for-2"), ("A room with a two-person bed.", "double"),
+     ("A room with a two-person sofa.", "two-seat")],
+)  # fmt: skip
+def test_for_how_many_people_something_is(prompt: str, looks: str) -> None:
+    brief = read_brief(prompt)
+    (request,) = [r for r in brief.requests if r.asked]
+    assert request.attributes == (looks,)
+    assert sum(asked(brief).values()) == 1
