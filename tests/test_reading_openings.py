@@ -65,3 +65,24 @@ def test_for_how_many_people_something_is(prompt: str, looks: str) -> None:
     (request,) = [r for r in brief.requests if r.asked]
     assert request.attributes == (looks,)
     assert sum(asked(brief).values()) == 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A bedroom with a table under the window and a vase on it.", "table"),
+        ("A sewing room with a sewing machine on a table.", "table"),
+        ("A bedroom with a table and two chairs.", "dining_table"),
+        ("A greenhouse with a table for two.", "dining_table"),
+        ("A dining room with a table.", "dining_table"),
+        ("A restaurant with a table.", "dining_table"),
+    ],
+)
+def test_a_table_is_one_to_eat_at_where_people_eat_or_sit(prompt: str, kind: str) -> None:
+    (table,) = [r for r in read_brief(prompt).requests if r.asked and r.category.endswith("table")]
+    assert table.category == kind
+
+
+def test_what_stands_on_the_floor_is_beside_what_carries_a_thing() -> None:
+    _, relations = told("A sewing room with a sewing machine on a table, and a dress form next to it.")
+    assert "dress_form next_to table" in relations

@@ -6,7 +6,7 @@ from msgspec import structs
 
 from thinkblox.assets import GENERAL_WORDS
 from thinkblox.brief import Brief
-from thinkblox.knowledge.rooms import kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, kinds_of_room, room_type
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
@@ -92,4 +92,8 @@ def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
         case "seated":
             return thing.seats > 0
     name, _, values = condition.partition(":")
+    if name == "unusual":
+        return bool(facts["room"] - {UNKNOWN_ROOM}) and facts["usual"].isdisjoint(values.split("|"))
+    if name == "without":
+        return facts["has"].isdisjoint(values.split("|"))
     return not facts[name].isdisjoint(values.split("|"))

@@ -13,7 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from thinkblox.assets import kind_of, revision
+from thinkblox.assets import facts_of, kind_of, revision
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunks import Chunk
@@ -97,12 +97,22 @@ class Antecedents:
         if found not in [c.thing for c in ranked]:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
-        if others and best.score - others[0].score < by["margin"]:
+        close = bool(others) and best.score - others[0].score < by["margin"]
+        under = self._carrier(best.thing, others[0].thing) if close and kind in _BESIDE else None
+        if under is not None and noun in load_habits().known() and not facts_of(noun).is_in("small"):
+            # What stands on the floor beside a thing stands beside what that lies on.
+            best = next(c for c in ranked if c.thing is under)
+        elif close:
             self.unclear.append(OpenReference(*where, best.thing, others[0].thing))
             best = next(c for c in ranked if c.thing is found) if others[0].thing is found else best
         if not self._is_owner(best.thing, where[0]):
             self.pointed[where[0]] = best.thing
         return best.thing
+
+    def _carrier(self, *two: Mention) -> Mention | None:
+        """Which of two things the other lies on."""
+        on = {b.subject: b.anchors for t in two for b in self._draft.bonds_of(t) if b.kind == "on" and not b.negated}
+        return next((t for t in two for s in two if s is not t and t in on.get(s, ())), None)
 
     def _is_owner(self, thing: Mention, start: int) -> bool:
         """Whether the words before `start` tell what a thing has: "a table with two books on it"."""
