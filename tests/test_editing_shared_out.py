@@ -6,6 +6,7 @@ from tests.edited_rooms import built, dining, living, room
 from tests.test_editing_guard import done
 from tests.test_editing_unseen import ids
 from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.wheres import walls_of
 from thinkblox.scene.relations import measure
 
 
@@ -57,3 +58,12 @@ def test_what_is_pushed_to_the_wall_keeps_its_back_to_it() -> None:
     after = done(before, "Push the sofa against the wall").scene
     assert after["sofa_1"].yaw == before["sofa_1"].yaw
     assert measure(after, "against_wall", "sofa_1", ("west_wall",)).holds
+
+
+def test_corners_of_a_side_are_those_and_no_others() -> None:
+    before = built(room(), ("plant_1", 5.5, 4.5, 270.0, "floor"), ("plant_2", 0.5, 0.5, 0.0, "floor"))
+    far = walls_of(before, "far_wall")
+    assert [measure(before, "in_corner", id, (far,)).holds for id in ("plant_1", "plant_2")].count(True) == 1
+    after = done(before, "Move the plants to the back corners").scene
+    assert all(measure(after, "in_corner", id, (far,)).holds for id in ("plant_1", "plant_2"))
+    assert len(ids(done(before, "Add a plant in the back corners").scene, "plant")) == 4

@@ -172,7 +172,8 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
 
 
 def _is_seen_from_it(where: Where) -> bool:
-    """Whether a place depends on what is moved: "to the other side", "the nearest wall", "in each corner"."""
+    """Whether a place depends on what is moved: "to the other side", "the nearest wall", "the back corners"."""
     noun = where.noun
     seen = noun is not None and (noun.det == "other" or noun.each or bool(means("nearest", noun.degree)))
+    seen |= noun is not None and noun.kind == "place" and noun.plural
     return seen or (noun is not None and noun.kind == "place" and "opposite" in noun.text.lower().split())

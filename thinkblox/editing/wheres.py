@@ -145,7 +145,10 @@ def slots_for(where: Where, category: str, finder: Finder, count: int | None) ->
     slots, noun = slots_of(where, category, finder), where.noun
     corners_ = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
     if corners_ and noun is not None and noun.plural and not (noun.each or noun.count or noun.det in ("all", "both")):
-        return slots if count is None or count >= len(slots) else [Bound("in_corner", ("corner",))]
+        if count is None or count >= len(slots):
+            return slots
+        told = where.whole is not None or noun.value != "corner"
+        return slots[:count] if told else [Bound("in_corner", ("corner",))]
     return slots
 
 
@@ -189,9 +192,12 @@ def _each_corner(finder: Finder, where: Where, noun: Noun, category: str) -> lis
         finder.scene,
         [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
     )
+    spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
+    _, _, wall = noun.value.partition(" ")
+    if wall:
+        found = [walls for walls in found if walls_of(scene, wall) in walls]
     if "opposite" in noun.text.lower().split():
         return _farthest_corners(scene, found, besides=category)
-    spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
     if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
