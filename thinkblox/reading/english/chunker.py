@@ -358,6 +358,8 @@ class Cutter:
 
     def _names_room(self) -> bool:
         """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""
+        if self.tokens[self.at].text not in self.lexicon.begun("room"):
+            return False
         named = self.lexicon.longest(self.tokens, self.at)
         return named.length > 1 and named.entry("room") is not None
 
@@ -508,13 +510,14 @@ class Cutter:
 
     def _goes_on_doing(self, modal: frozenset[str]) -> bool:
         """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""
+        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
+        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
+        if not placed or named or self.tokens[self.at].kind != "word":
+            return False
         start = self.at
         while start and self.tokens[start - 1].text not in ".;:!?":
             start -= 1
-        wished = any(t.text in modal for t in self.tokens[start : self.at])
-        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
-        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
-        return wished and placed and not named and self.tokens[self.at].kind == "word"
+        return any(t.text in modal for t in self.tokens[start : self.at])
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None

@@ -69,8 +69,8 @@ class Quantities(Words):
             noun.of_known = known
             noun.count = 1 if known else None
             return said.length + 1 if known else 0
-        start = next((n for n in (3, 2) if self._words_at(at, n) in _OF_EVERY), 0)
-        number = self._number(at + start) if start and noun.count else None
+        start = next((n for n in (3, 2) if self._words_at(at, n) in _OF_EVERY), 0) if noun.count else 0
+        number = self._number(at + start) if start else None
         if number is None or not noun.count or number[0] <= noun.count or not self._starts_noun(at + start + number[1]):
             return 0
         noun.fraction, noun.of_known = (noun.count, number[0]), True
