@@ -187,8 +187,8 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
     whole: list[Token] = []
     slashed = [*_slashed(tokens)]
     for at, token in enumerate(slashed):
-        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 4])
-        verb = "is" if told and token.owner else "are" if token.text in _ARE else ""
+        told = token.owner and (token.text in _JOINED or _says_where(slashed[at + 1 : at + 4]))
+        verb = "is" if told else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
             first, rest = token.shown[:head], token.shown[head:]

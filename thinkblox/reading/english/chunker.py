@@ -7,7 +7,7 @@ from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
-from thinkblox.reading.english.places import two_walls_at
+from thinkblox.reading.english.places import begins_two_walls, two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at, moved_at
 from thinkblox.reading.lexicon import Lexicon
@@ -396,6 +396,8 @@ class Cutter:
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""
+        if not begins_two_walls(self.tokens[self.at].text):
+            return None
         value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 8]])
         if not length:
             return None
