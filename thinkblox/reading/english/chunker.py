@@ -322,12 +322,11 @@ class Cutter:
 
     def _lack(self) -> Adjective | None:
         """Read a word between marks for what the thing before them lacks: "a dress form - headless - stands"."""
-        token, around = (
-            self.tokens[self.at],
-            [self.tokens[n] for n in (self.at - 1, self.at + 1) if n < len(self.tokens)],
-        )
-        alone = self.at > 0 and all(t.kind == "mark" for t in around)
-        if not alone or not token.text.endswith("less") or self._phrases.thing_at(self.at) is not None:
+        token = self.tokens[self.at]
+        if not token.text.endswith("less") or self._phrases.thing_at(self.at) is not None:
+            return None
+        around = [self.tokens[n] for n in (self.at - 1, self.at + 1) if n < len(self.tokens)]
+        if not self.at or any(t.kind != "mark" for t in around):
             return None
         return Adjective(self.at, self.at + 1, token.shown, unshown=[token.text])
 
@@ -380,9 +379,10 @@ class Cutter:
 
     def _restated(self) -> Stray | Connector | None:
         """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""
+        if self._text_at(self.at) != "that" or self._text_at(self.at + 1) != "is":
+            return None
         last, told = self.made[-1:], self.made[-2:-1]
-        words = [self._text_at(self.at), self._text_at(self.at + 1)]
-        noun = self._phrases.read(self.at + 2) if words == ["that", "is"] and self.at + 2 < len(self.tokens) else None
+        noun = self._phrases.read(self.at + 2) if self.at + 2 < len(self.tokens) else None
         bare = noun is not None and noun.kind == "number" and bool(noun.count) and not noun.of_known
         if not bare or noun is None or not last or not isinstance(last[0], Connector) or last[0].value != "comma":
             return None
@@ -425,14 +425,14 @@ class Cutter:
 
     def _said_round(self) -> Adjective | None:
         """Read "the table is round", where nothing comes that it could be around."""
+        if self._text_at(self.at) != "round":
+            return None
         ends = self.at + 1 >= len(self.tokens) or self.tokens[self.at + 1].kind == "mark"
         joined = grammar().at(self.tokens, self.at + 1, "joins") is not None
         last = self.made[-1] if self.made else None
         said = isinstance(last, Connector) and (last.sort, last.value) in (("verbs", "be"), ("negations", "not"))
         joined |= said and grammar().at(self.tokens, self.at + 1, "prepositions", "inverses") is not None
-        if self._text_at(self.at) != "round" or not (ends or joined):
-            return None
-        return self._phrases.adjective(self.at)
+        return self._phrases.adjective(self.at) if ends or joined else None
 
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""

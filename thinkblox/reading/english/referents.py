@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.palette import COLOURS, with_general
@@ -502,4 +503,9 @@ def _head_word(thing: Mention) -> str:
 
 def last_word(thing: Mention) -> str:
     """The singular of the last word that a thing was named by."""
-    return singular(thing.text.rpartition(" ")[2].casefold())
+    return _singular_of_last(thing.text)
+
+
+@lru_cache(maxsize=4096)
+def _singular_of_last(text: str) -> str:
+    return singular(text.rpartition(" ")[2].casefold())
