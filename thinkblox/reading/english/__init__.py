@@ -219,11 +219,15 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
     at = 0
     while at < len(tokens):
         slash = tokens[at].text == "w" and at + 1 < len(tokens) and tokens[at + 1].text == "/"
-        without = slash and at + 2 < len(tokens) and tokens[at + 2].text == "o"
-        length = 3 if without else 2 if slash else 1
+        if not slash:
+            yield tokens[at]
+            at += 1
+            continue
+        without = at + 2 < len(tokens) and tokens[at + 2].text == "o"
+        length = 3 if without else 2
         shown = "".join(token.shown for token in tokens[at : at + length])
         word = "without" if without else "with"
-        yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
+        yield replace(tokens[at], text=word, shown=shown)
         at += length
 
 

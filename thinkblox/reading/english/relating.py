@@ -285,8 +285,8 @@ class Relating(Naming):
         """Keep the number that "each" gave where the relation to it is told in other words."""
         if bond.subject.per and set(bond.anchors) <= set(bond.subject.per):
             bond.each |= bond.kind != "between"
-        for old in self.draft.bonds:
-            if old.implied and old.each and old.subject is bond.subject and not bond.each:
+        for old in self.draft.bonds_of(bond.subject):
+            if old.implied and old.each and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]
                 if not old.distributed and bond.anchors != old.anchors:
                     continue

@@ -192,7 +192,7 @@ def _bares(tokens: Sequence[Token], start: int) -> bool:
 
 def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], bool]) -> SurfaceFinding | None:
     """Read "carpeted" in "a carpeted office", "brick-walled" in "a brick-walled cafe"; the room itself is left."""
-    end = next((n for n in range(start, min(start + 3, len(tokens))) if _text(tokens, n) in _FINISHED), None)
+    end = next((n for n, token in enumerate(tokens[start : start + 3], start) if token.text in _FINISHED), None)
     if end is None or not is_room(end + 1):
         return None
     said = _text(tokens, end)
