@@ -64,6 +64,10 @@ class Grammar:
         """Whether a single folded word can be of one of these sorts."""
         return any(sort in sorts for sort, _ in self.phrases.get((word,), ()))
 
+    def begins(self, word: str, *sorts: str) -> bool:
+        """Whether phrases of one of these sorts begin with a word."""
+        return word in self.begun and not self.begun[word].isdisjoint(sorts)
+
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""
         found: list[Function] = []

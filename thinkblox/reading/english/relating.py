@@ -133,11 +133,13 @@ class Relating(Naming):
         if not (meaning.pointed and meaning.both) or len(subjects) != 1 or not isinstance(carrier, Mention):
             return False
         carried = subjects[0]
-        before = self.draft.things[: self.draft.things.index(carrier)] if carrier in self.draft.things else []
-        beside = [t for t in before if self.habits.tie(carrier.noun, t.noun) == "next_to"]
         had = any(b.implied and b.anchors == (carrier,) for b in self.draft.bonds_of(carried))
         lies = is_small(carried) or self.habits.is_in(carried.noun, "lamps")
-        if not (beside and had and lies and carrier.count == 1):
+        if not (had and lies and carrier.count == 1):
+            return False
+        before = self.draft.things[: self.draft.things.index(carrier)] if carrier in self.draft.things else []
+        beside = [t for t in before if self.habits.tie(carrier.noun, t.noun) == "next_to"]
+        if not beside:
             return False
         meaning = replace(meaning, anchors=(beside[-1],))
         if not self._flanks([carrier], meaning):
