@@ -12,11 +12,11 @@ from thinkblox.brief import Brief, Measures, Request
 from thinkblox.planning.rooms import is_open
 
 _Range = tuple[float, float]
-_USUAL: tuple[_Range, _Range, _Range] = ((0.8, 1.25), (0.7, 1.4), (0.86, 1.18))
+_USUAL: tuple[_Range, _Range, _Range] = ((0.83, 1.2), (0.75, 1.32), (0.89, 1.14))
 """Times the ordinary depth, width and height of furniture."""
-_SEAT: tuple[_Range, _Range, _Range] = ((0.86, 1.18), (0.83, 1.24), (0.89, 1.14))
+_SEAT: tuple[_Range, _Range, _Range] = ((0.88, 1.16), (0.86, 1.18), (0.91, 1.11))
 """Of what one person sits on: bodies differ less than rooms."""
-_BED: tuple[_Range, _Range, _Range] = ((0.97, 1.05), (0.92, 1.22), (0.85, 1.2))
+_BED: tuple[_Range, _Range, _Range] = ((0.98, 1.03), (0.93, 1.2), (0.88, 1.15))
 """Of beds, whose mattresses are made in a few lengths."""
 _TABLE: tuple[_Range, _Range, _Range] = ((0.84, 1.24), (0.82, 1.4), (0.96, 1.05))
 """Of tables and desks, at which people sit upright."""
