@@ -81,6 +81,11 @@ def identifier_of(noun: str) -> str:
     return name if name[:1].isalpha() else f"thing_{name}"
 
 
+def begins_name(word: str) -> bool:
+    """Whether any name of several words begins with a word in lower case."""
+    return word in _beginnings(revision())
+
+
 def known_phrases() -> Collection[str]:
     """Every phrase that names a thing; of regular plurals only the singular."""
     return _phrases(revision()).keys()

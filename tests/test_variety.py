@@ -8,7 +8,7 @@ import pytest
 from thinkblox.assets import CATALOGUE
 from thinkblox.brief import Place
 from thinkblox.knowledge.variety import varieties
-from thinkblox.planning import plan_room, varied, with_surfaces
+from thinkblox.planning import plan_room, varied, with_forms, with_sizes, with_surfaces
 from thinkblox.planning.space import furniture_area
 from thinkblox.reading import GrammarBriefer, read_brief
 from thinkblox.scene.room import rectangle
@@ -134,8 +134,32 @@ def test_relations_of_what_is_left_out_go_too():
 
 
 def test_the_same_seed_gives_the_same():
-    brief = read_brief("A cosy living room")
-    assert varied(brief, 4) == varied(brief, 4)
+    brief = read_brief("A dining room for six")
+    once, again = (with_sizes(with_forms(varied(brief, 4), 4), 4) for _ in range(2))
+    assert once == again
+
+
+def round_tables(prompt):
+    """How many of the rooms have a round table of which nobody said so."""
+    rooms = [with_forms(varied(read_brief(prompt), seed), seed) for seed in SEEDS]
+    return sum("round" in request.attributes for room in rooms for request in room.requests)
+
+
+def test_a_table_that_is_only_assumed_is_round_in_some_rooms():
+    assert 0 < round_tables("A dining room for six") < len(SEEDS)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A dining room with a dining table and six chairs",
+        "A dining room for ten",
+        "A dining room for six, 3 m by 4 m",
+        "A study with a desk",
+    ],
+)
+def test_a_table_that_is_named_or_too_large_or_in_a_given_room_has_its_usual_form(prompt):
+    assert round_tables(prompt) == 0
 
 
 def test_rooms_differ_in_size_and_openings():

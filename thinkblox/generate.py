@@ -27,6 +27,7 @@ from thinkblox.planning import (
     relieved,
     reordered,
     varied,
+    with_forms,
     with_looks,
     with_run,
     with_sizes,
@@ -129,7 +130,7 @@ def generate_room(
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
     assumes = isinstance(cast.briefer, GrammarBriefer) and fill != "named"
     if assumes:
-        brief = fitted(with_sizes(with_looks(varied(brief, seed, fill)), seed))
+        brief = fitted(with_sizes(with_looks(with_forms(varied(brief, seed, fill), seed)), seed))
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)

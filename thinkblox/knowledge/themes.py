@@ -116,6 +116,7 @@ def _phrases() -> tuple[dict[tuple[str, ...], Theme], frozenset[str], int]:
     return phrases, frozenset(phrase[0] for phrase in phrases), max(map(len, phrases))
 
 
+@lru_cache(maxsize=4096)
 def _plain(word: str) -> str:
     """A word without case, marks, an ending "'s" or that of a plural."""
     bare = re.sub(r"['\u2019]s?$", "", word.lower()).replace("'", "")

@@ -76,6 +76,7 @@ class Varieties(Value, frozen=True, kw_only=True):
         fewer: categories of which a room may have one less, separated by commas.
         alike: categories of which one stands for all, separated by commas.
         shows: categories that are of no use with nothing on them, separated by commas.
+        rounded: categories that may be round where nobody says of which form they are, separated by commas.
         rooms: choices by type of room.
     """
 
@@ -84,6 +85,7 @@ class Varieties(Value, frozen=True, kw_only=True):
     fewer: str
     alike: tuple[str, ...]
     shows: str
+    rounded: str
     rooms: dict[str, RoomChoices]
 
     def of(self, room: str) -> RoomChoices | None:

@@ -5,6 +5,7 @@ import numpy as np
 from thinkblox.brief import Brief
 from thinkblox.plan import Plan
 from thinkblox.planning.drawn_sizes import with_sizes
+from thinkblox.planning.forms import with_forms
 from thinkblox.planning.looks import with_looks
 from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
@@ -41,6 +42,7 @@ __all__ = [
     "relieved",
     "reordered",
     "varied",
+    "with_forms",
     "with_looks",
     "with_run",
     "with_sizes",

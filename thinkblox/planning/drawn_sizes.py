@@ -18,7 +18,7 @@ _SEAT: tuple[_Range, _Range, _Range] = ((0.88, 1.16), (0.86, 1.18), (0.91, 1.11)
 """Of what one person sits on: bodies differ less than rooms."""
 _BED: tuple[_Range, _Range, _Range] = ((0.98, 1.03), (0.93, 1.2), (0.88, 1.15))
 """Of beds, whose mattresses are made in a few lengths."""
-_TABLE: tuple[_Range, _Range, _Range] = ((0.86, 1.2), (0.87, 1.3), (0.96, 1.05))
+_TABLE: tuple[_Range, _Range, _Range] = ((0.84, 1.24), (0.82, 1.4), (0.96, 1.05))
 """Of tables and desks, at which people sit upright."""
 _CARRIED = ("inside", "on", "under")
 """Relations to what is not to come out small: it must hold what is named."""

@@ -27,9 +27,9 @@ _SKETCHED = 5
 """Who names so many kinds of things has said what the room holds."""
 _TOLD = 6
 """Who names so many lacks nothing that is only usual."""
-_OUT, _IN = (0, 1, 2, 3), (1, 2, 3, 4)
+_OUT, _IN = (0, 1, 2, 3), (2, 3, 4, 5)
 """How many kinds of things are left out where all is open, and how many come in."""
-_IN_SKETCHED = (1, 2, 3)
+_IN_SKETCHED = (1, 2, 3, 4)
 """How many kinds of things come in where some are named."""
 _FOR_FLOOR = 3
 """So many more come in where what is there needs less floor than such a room has at least."""

@@ -110,8 +110,9 @@ class Lexicon:
         "Floor to ceiling" would otherwise be a place of the room, and where something leads.
         """
         tokens, named, at = self._spelt_out(text), list[Token](), 0
+        begun = self.begun("attribute")
         while at < len(tokens):
-            look, length = self._look_at(tokens, at)
+            look, length = self._look_at(tokens, at) if tokens[at].text in begun else ("", 0)
             whole = tokens[at : at + max(1, length)]
             shown = "-".join(token.shown for token in whole)
             words = look.split("-") if look else []
@@ -128,8 +129,6 @@ class Lexicon:
 
     def _look_at(self, tokens: list[Token], at: int) -> tuple[str, int]:
         """The attribute that three or more words say which begin with a thing or a place, and how many they are."""
-        if tokens[at].text not in self.begun("attribute"):
-            return "", 0
         for length in range(min(LONGEST, len(tokens) - at), 2, -1):
             key = tuple(token.text for token in tokens[at : at + length])
             looks = [e.value for e in self.phrases.get(key, ()) if e.sort == "attribute"]

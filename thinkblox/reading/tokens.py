@@ -99,9 +99,9 @@ def _number(shown: str, start: int) -> Token:
 
 
 def _words(shown: str, start: int) -> list[Token]:
-    parts = re.split("['’`´]", shown)
-    if len(parts) == 1:
+    if shown.isalpha():
         return [Token(fold(shown), shown, "word", start=start)]
+    parts = re.split("['’`´]", shown)
     if fold(parts[-1]) in _JOINED:
         return [Token(fold("".join(parts)), shown, "word", start=start, owner=fold(parts[-1]) == "s")]
     starts = [start + sum(len(part) + 1 for part in parts[:index]) for index in range(len(parts))]

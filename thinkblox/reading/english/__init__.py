@@ -189,8 +189,8 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
     whole: list[Token] = []
     slashed = [*_slashed(tokens)]
     for at, token in enumerate(slashed):
-        told = token.text in _JOINED or _says_where(slashed[at + 1 : at + 4])
-        verb = "is" if told and token.owner else "are" if token.text in _ARE else ""
+        told = token.owner and (token.text in _JOINED or _says_where(slashed[at + 1 : at + 4]))
+        verb = "is" if told else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
             first, rest = token.shown[:head], token.shown[head:]
@@ -221,11 +221,15 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
     at = 0
     while at < len(tokens):
         slash = tokens[at].text == "w" and at + 1 < len(tokens) and tokens[at + 1].text == "/"
-        without = slash and at + 2 < len(tokens) and tokens[at + 2].text == "o"
-        length = 3 if without else 2 if slash else 1
+        if not slash:
+            yield tokens[at]
+            at += 1
+            continue
+        without = at + 2 < len(tokens) and tokens[at + 2].text == "o"
+        length = 3 if without else 2
         shown = "".join(token.shown for token in tokens[at : at + length])
         word = "without" if without else "with"
-        yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
+        yield replace(tokens[at], text=word, shown=shown)
         at += length
 
 

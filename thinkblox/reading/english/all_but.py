@@ -13,7 +13,7 @@ _EACH = ("each of them", "every one of them", "each of these")
 
 def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which all but some of several are every one of them but so many."""
-    made = [_each_of_both(chunk, chunks[:at]) for at, chunk in enumerate(chunks)]
+    made = [_each_of_both(chunk, chunks[max(at - 3, 0) : at]) for at, chunk in enumerate(chunks)]
     for at in range(len(made) - 2):
         every, but, left = made[at : at + 3]
         if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):

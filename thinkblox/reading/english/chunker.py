@@ -7,7 +7,7 @@ from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
-from thinkblox.reading.english.places import two_walls_at
+from thinkblox.reading.english.places import begins_two_walls, two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at, moved_at
 from thinkblox.reading.lexicon import Lexicon
@@ -322,12 +322,11 @@ class Cutter:
 
     def _lack(self) -> Adjective | None:
         """Read a word between marks for what the thing before them lacks: "a dress form - headless - stands"."""
-        token, around = (
-            self.tokens[self.at],
-            [self.tokens[n] for n in (self.at - 1, self.at + 1) if n < len(self.tokens)],
-        )
-        alone = self.at > 0 and all(t.kind == "mark" for t in around)
-        if not alone or not token.text.endswith("less") or self._phrases.thing_at(self.at) is not None:
+        token = self.tokens[self.at]
+        if not token.text.endswith("less") or self._phrases.thing_at(self.at) is not None:
+            return None
+        around = [self.tokens[n] for n in (self.at - 1, self.at + 1) if n < len(self.tokens)]
+        if not self.at or any(t.kind != "mark" for t in around):
             return None
         return Adjective(self.at, self.at + 1, token.shown, unshown=[token.text])
 
@@ -358,6 +357,8 @@ class Cutter:
 
     def _names_room(self) -> bool:
         """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""
+        if self.tokens[self.at].text not in self.lexicon.begun("room"):
+            return False
         named = self.lexicon.longest(self.tokens, self.at)
         return named.length > 1 and named.entry("room") is not None
 
@@ -378,9 +379,10 @@ class Cutter:
 
     def _restated(self) -> Stray | Connector | None:
         """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""
+        if self._text_at(self.at) != "that" or self._text_at(self.at + 1) != "is":
+            return None
         last, told = self.made[-1:], self.made[-2:-1]
-        words = [self._text_at(self.at), self._text_at(self.at + 1)]
-        noun = self._phrases.read(self.at + 2) if words == ["that", "is"] and self.at + 2 < len(self.tokens) else None
+        noun = self._phrases.read(self.at + 2) if self.at + 2 < len(self.tokens) else None
         bare = noun is not None and noun.kind == "number" and bool(noun.count) and not noun.of_known
         if not bare or noun is None or not last or not isinstance(last[0], Connector) or last[0].value != "comma":
             return None
@@ -394,6 +396,8 @@ class Cutter:
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""
+        if not begins_two_walls(self.tokens[self.at].text):
+            return None
         value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 8]])
         if not length:
             return None
@@ -421,14 +425,14 @@ class Cutter:
 
     def _said_round(self) -> Adjective | None:
         """Read "the table is round", where nothing comes that it could be around."""
+        if self._text_at(self.at) != "round":
+            return None
         ends = self.at + 1 >= len(self.tokens) or self.tokens[self.at + 1].kind == "mark"
         joined = grammar().at(self.tokens, self.at + 1, "joins") is not None
         last = self.made[-1] if self.made else None
         said = isinstance(last, Connector) and (last.sort, last.value) in (("verbs", "be"), ("negations", "not"))
         joined |= said and grammar().at(self.tokens, self.at + 1, "prepositions", "inverses") is not None
-        if self._text_at(self.at) != "round" or not (ends or joined):
-            return None
-        return self._phrases.adjective(self.at)
+        return self._phrases.adjective(self.at) if ends or joined else None
 
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
@@ -508,13 +512,14 @@ class Cutter:
 
     def _goes_on_doing(self, modal: frozenset[str]) -> bool:
         """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""
+        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
+        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
+        if not placed or named or self.tokens[self.at].kind != "word":
+            return False
         start = self.at
         while start and self.tokens[start - 1].text not in ".;:!?":
             start -= 1
-        wished = any(t.text in modal for t in self.tokens[start : self.at])
-        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
-        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
-        return wished and placed and not named and self.tokens[self.at].kind == "word"
+        return any(t.text in modal for t in self.tokens[start : self.at])
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None

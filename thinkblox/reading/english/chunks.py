@@ -11,7 +11,7 @@ from thinkblox.reading.sizes import Size
 NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number"]
 
 
-@dataclass
+@dataclass(eq=False)
 class Noun:
     """A noun phrase, or a number that stands for one ("two by the window").
 

@@ -171,10 +171,10 @@ class Clauses(Audit):
 
     def _is_place_at_table(self, noun: Noun) -> bool:
         """Read "a table for four: each place has a plate", where no seats are named, as so many on the table."""
-        table = next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
         place = noun.kind in ("abstract", "room") and noun.each and noun.word in grammar().lists["seats"]
         if not place or not self._is_link(self.peek(), "verbs", "have"):
             return False
+        table = next((t for t in reversed(self.draft.things) if t.seats and not t.many), None)
         if table is None:
             self._lose(noun.start, noun.end)
             return False
@@ -418,8 +418,10 @@ class Clauses(Audit):
     def _is_told_more_of(self, noun: Noun) -> bool:
         """Whether it tells of what the sentence named where it is: "has a skull and a lamp, the lamp left of ..."."""
         known = self.referents.named(noun) if noun.det == "the" and self.separator == "comma" else None
+        if known is None:
+            return False
         here = (t for chunk in self.chunks[self._clause_start() : self.at - 1] for t in self.meant.get(chunk.start, ()))
-        return known is not None and known in here
+        return known in here
 
     def _is_said_of_subject(self, noun: Noun) -> bool:
         """Take "a recliner", "glass" after "is" for what the subject is."""

@@ -53,20 +53,22 @@ class Doubts(Corrections):
 
     def _named_again(self) -> Iterator[str]:
         """Things of which nothing tells whether they were pointed at before: "the desk is here. A desk of oak"."""
+        before: dict[tuple[str, str], list[Mention]] = {}
         for thing in self.draft.things:
-            noun = self.named_by.get(thing)
-            if noun is None or noun.det != "a" or thing.many or self.draft.bonds_of(thing):
-                continue
-            before = self.draft.things[: self.draft.things.index(thing)]
-            alike = [t for t in before if t.noun == thing.noun and last_word(t) == last_word(thing) and t.asked]
-            pointed = [t for t in alike if (named := self.named_by.get(t)) is not None and named.det == "the"]
-            anchors = any(thing in b.anchors for b in self.draft.bonds)
-            if (
-                pointed == alike
-                and len(alike) == 1
-                and not (alike[0].many or anchors or noun.text.lower()[:4] == "one ")
-            ):
+            alike = before.setdefault((thing.noun, last_word(thing)), [])
+            if len(alike) == 1 and self._may_be_again(thing, alike[0]):
                 yield f"{thing.text} ({alike[0].text} again?)"
+            if thing.asked:
+                alike.append(thing)
+
+    def _may_be_again(self, thing: Mention, pointed: Mention) -> bool:
+        """Whether a thing that is told without saying where it is may be the only one that was pointed at so."""
+        noun, named = self.named_by.get(thing), self.named_by.get(pointed)
+        if noun is None or noun.det != "a" or thing.many or self.draft.bonds_of(thing):
+            return False
+        if named is None or named.det != "the" or pointed.many or noun.text.lower()[:4] == "one ":
+            return False
+        return not any(thing in b.anchors for b in self.draft.bonds)
 
     def _doubt_circles(self) -> None:
         """Say of things in a circle around nothing that nobody sees to that."""

@@ -82,9 +82,9 @@ def with_counts(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, chunk in enumerate(chunks):
         around = [chunks[n] if 0 <= n < len(chunks) else None for n in (at - 1, at + 1)]
         whole.append(chunk)
-        if isinstance(chunk, Noun) and (corners := _shared_out(chunk, whole[:-1])):
+        if isinstance(chunk, Noun) and (corners := _shared_out(chunk, whole[-_PAST - 3 : -1])):
             whole[-1] = replace(chunk, count=corners, plural=True)
-        elif isinstance(chunk, Noun) and chunk.kind == "thing" and (own := _owned(chunk, whole[:-1])) is not None:
+        elif isinstance(chunk, Noun) and _is_their_own(chunk) and (own := _owned(chunk, whole[:-1])) is not None:
             whole[-1] = own
         elif isinstance(chunk, Noun) and all(isinstance(c, Connector) and c.value == "comma" for c in around):
             noun = whole[-3] if len(whole) > _PAST else None
@@ -119,10 +119,14 @@ def _shared_out(place: Noun, before: Sequence[Chunk]) -> int:
     return (whole.count or 0) if told and 1 < (whole.count or 0) < _CORNERS else 0
 
 
+def _is_their_own(noun: Noun) -> bool:
+    """Whether it is "their own desks"."""
+    several = noun.kind == "thing" and noun.count is None and noun.plural
+    return several and noun.text.lower().startswith("their own ")
+
+
 def _owned(noun: Noun, before: Sequence[Chunk]) -> Noun | None:
-    """The noun with the number of what has it, where it is "their own desks"."""
-    if not noun.text.lower().startswith("their own ") or noun.count is not None or not noun.plural:
-        return None
+    """The noun with the number of what has it."""
     for chunk in reversed(before):
         if isinstance(chunk, Connector) and chunk.value in ("stop", "semicolon"):
             return None

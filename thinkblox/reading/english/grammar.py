@@ -48,12 +48,25 @@ class Grammar:
         begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
         if begun is None or begun.isdisjoint(sorts):
             return None
-        found = self.all_at(tokens, start, *sorts)
-        return found[0] if found else None
+        longest: Function | None = None
+        key: tuple[str, ...] = ()
+        for index in range(start, len(tokens)):
+            key = (*key, tokens[index].text)
+            for sort, value in self.phrases.get(key, ()):
+                if sort in sorts:
+                    longest = Function(sort, value, len(key))
+                    break
+            if key not in self.prefixes:
+                break
+        return longest
 
     def knows(self, word: str, *sorts: str) -> bool:
         """Whether a single folded word can be of one of these sorts."""
         return any(sort in sorts for sort, _ in self.phrases.get((word,), ()))
+
+    def begins(self, word: str, *sorts: str) -> bool:
+        """Whether phrases of one of these sorts begin with a word."""
+        return word in self.begun and not self.begun[word].isdisjoint(sorts)
 
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""

@@ -130,8 +130,9 @@ class Having(Groups):
 
     def _goes_on_with_each(self, head: Node) -> bool:
         """Whether the list before was of each: "tables, each covered with a cloth and set with two plates"."""
-        said = [n.frame for n in self.frontier if n.frame is not None and n.frame.head is head]
-        return self.separator in ("and", "comma", "comma_and") and any(frame.each for frame in said)
+        if self.separator not in ("and", "comma", "comma_and"):
+            return False
+        return any(n.frame is not None and n.frame.head is head and n.frame.each for n in self.frontier)
 
     def _hold_matter(self, noun: Noun) -> None:
         """Say of shelves "with supplies" that they are filled; of what, as "with paint", is not understood."""

@@ -148,12 +148,13 @@ def _hyphened(tokens: list[Token]) -> list[Token]:
 
 def _is_enough(tokens: Sequence[Token], at: int) -> int:
     """How many words "four is enough" has, which puts a number right that was told before; 0 where it does not come."""
-    begins = at > 0 and (tokens[at - 1].kind == "mark" or tokens[at - 1].text in _CORRECTING)
+    if not at or not (tokens[at - 1].kind == "mark" or tokens[at - 1].text in _CORRECTING):
+        return 0
     number = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
     verb, said = ([token.text for token in tokens[at + 1 : at + 3]] + ["", ""])[:2]
     ends = at + 3 >= len(tokens) or tokens[at + 3].kind == "mark"
     enough = (verb in ("is", "are") and said in ("enough", "plenty")) or (verb == "will" and said == "do")
-    return 3 if begins and number and ends and enough else 0
+    return 3 if number and ends and enough else 0
 
 
 def _is_grid(tokens: Sequence[Token], at: int) -> bool:

@@ -50,8 +50,9 @@ def _apart(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with "table A and table B" for "tables A and B"."""
     made: list[Token] = []
     for at, token in enumerate(tokens):
-        one, joint, other = ([t.shown for t in tokens[at + 1 : at + 4]] + [""] * 3)[:3]
-        if joint == "and" and one and other and one in _LETTERS and other in _LETTERS and token.text.endswith("s"):
+        several = token.text.endswith("s")
+        one, joint, other = ([t.shown for t in tokens[at + 1 : at + 4]] + [""] * 3)[:3] if several else ("", "", "")
+        if joint == "and" and one and other and one in _LETTERS and other in _LETTERS:
             made.append(replace(token, text=singular(token.text)))
         elif at > 2 and made[-1].text == "and" and token.shown in _LETTERS and tokens[at - 3].text.endswith("s"):
             made += [made[-3], token] if tokens[at - 2].shown in _LETTERS else [token]

@@ -1,5 +1,6 @@
 """What a preposition and its noun mean: which relation, to what."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets import kind_of
@@ -113,13 +114,14 @@ class Meanings:
     def _is_draped(self, where: Where, subjects: list[Mention], noun: str, meaning: Meaning) -> bool:
         """Whether a cloth lies over furniture rather than hanging above it: "a chair with a blanket over it"."""
         names = [subject.noun for subject in subjects] or [noun]
-        over = where.text.lower().partition(" ")[0] == "over"
+        if where.text.lower().partition(" ")[0] != "over":
+            return False
         cloths = all(name.rpartition("_")[2] in grammar().lists["drapes"] for name in names)
         things = [anchor for anchor in meaning.anchors if isinstance(anchor, Mention)]
         hung = any(
             a == "wall" for subject in subjects for b in self.referents.draft.bonds_of(subject) for a in b.anchors
         )
-        return over and cloths and not hung and bool(things) and not any(is_small(thing) for thing in things)
+        return cloths and not hung and bool(things) and not any(is_small(thing) for thing in things)
 
     def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         said = where.noun
@@ -543,14 +545,18 @@ class Meanings:
         kind = "on" if carried else _WHOLE_BY.get(said.value, "")
         its = said.det == "my" and "their" not in said.text.lower()
         found = self._single(kind, subjects, likely, noun, one=its)
-        self.guessed = said.det == "the" and said.value in ("left", "right") and found not in likely
-        rivals = [t for t in self.referents.draft.things if t not in (*subjects, found) and not is_small(t)]
-        self.guessed &= len({t.noun for t in rivals}) > 1
+        guess = said.det == "the" and said.value in ("left", "right") and found not in likely
+        self.guessed = guess and self._has_rivals((*subjects, found))
         if found is None:
             return self._of_room(said, subjects)
         return Meaning(
             "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
         )
+
+    def _has_rivals(self, besides: Sequence[Mention | None]) -> bool:
+        """Whether furniture of several kinds was named besides some."""
+        rivals = (t for t in self.referents.draft.things if t not in besides and not is_small(t))
+        return len({t.noun for t in rivals}) > 1
 
     def _other_side(self, where: Where, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""

@@ -273,10 +273,10 @@ class Naming(Several):
                 return (group,)
         single = noun.det == "each" or (not noun.det and noun.count is None and not noun.plural)
         place = noun.value == "seat" or (single and word in grammar().lists["seats"])
+        if not place or not (seats := self._seats()):
+            return ()
         named = self.referents.named(noun)
-        if place and (seats := self._seats()) and (named is None or last_word(named) not in grammar().lists["seats"]):
-            return tuple(seats)
-        return ()
+        return tuple(seats) if named is None or last_word(named) not in grammar().lists["seats"] else ()
 
     def _same(self, noun: Noun, besides: list[Mention]) -> tuple[Mention, ...]:
         """Things of that name that were mentioned, where nothing says that others are meant."""

@@ -26,8 +26,10 @@ def _then(chunks: Sequence[Chunk], at: int) -> int:
     end = at
     while end < len(chunks) and (is_link(chunks[end], "mark", "comma") or is_link(chunks[end], "joins", "and")):
         end += 1
+    if end == at:
+        return 0
     said = " ".join(str(getattr(chunk, "text", "")).lower() for chunk in chunks[at : end + 1]).split()
-    if end == at or "then" not in said:
+    if "then" not in said:
         return 0
     end += "then" not in " ".join(str(getattr(c, "text", "")).lower() for c in chunks[at:end]).split()
     after, link = (*chunks[end : end + 2], None, None)[:2]

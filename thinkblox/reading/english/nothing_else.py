@@ -13,6 +13,8 @@ _ANYTHING |= {"thing", "things", "stuff"}
 _IDLE = frozenset({"no", "not", "a", "an", "any", "single", "one"})
 _ALL = frozenset({"furniture", "furnishings"})
 """What a room that has none of it does not hold, whether others are spoken of or not."""
+_LONGEST = 3
+"""Most chunks that say it, without what denies it."""
 
 
 def with_nothing_else(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -21,7 +23,7 @@ def with_nothing_else(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         without = is_link(chunks[at], "prepositions", "without")
-        length = _length(chunks[at + int(without) :], denied=without)
+        length = _length(chunks[at + int(without) : at + int(without) + _LONGEST], denied=without)
         if length:
             whole = chunks[at : at + int(without) + length]
             found.append(Connector("negations", "nothing", whole[0].start, whole[-1].end, "nothing else"))

@@ -6,6 +6,8 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 
 _SIDES = ("left", "right")
+_NEAR = 6
+"""Chunks among which the part of a thing and its whole are: "stands on the left of the door"."""
 _ONE, _OTHER = ("one", "the one"), ("another", "another one", "the other", "the other one")
 
 
@@ -23,7 +25,7 @@ def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
         if isinstance(said, Noun) and said.kind == "thing" and part is not None:
             told = told if thing is not None and said.value == thing.value else set()
             thing = None if said.many else said
-            whole = _whole_of(made, part)
+            whole = _whole_of(made[at : at + _NEAR], part)
             told.add(part.value)
         elif isinstance(said, Noun) and thing is not None:
             part = _side_after(made, at)
@@ -40,11 +42,13 @@ def _sided(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks with "the left one" for "the one on the left", "the two on the left"."""
     made = list(chunks)
     for at in range(len(made) - 2, -1, -1):
-        said, part = made[at], _side_after(made, at)
-        some = isinstance(said, Noun) and said.kind in ("number", "pronoun") and said.det == "the" and said.count
-        some = some and any(isinstance(c, Noun) and c.kind == "thing" and c.many for c in made[:at])
+        said = made[at]
+        if not isinstance(said, Noun) or said.kind not in ("number", "pronoun") or said.det != "the" or not said.count:
+            continue
+        part = _side_after(made, at)
+        some = any(isinstance(c, Noun) and c.kind == "thing" and c.many for c in made[:at])
         on = made[at + 1]
-        if not some or part is None or not isinstance(said, Noun) or not _is(on, "prepositions") or part.det == "my":
+        if not some or part is None or not _is(on, "prepositions") or part.det == "my":
             continue
         of = made[at + 3] if at + 3 < len(made) else None
         if isinstance(of, Connector) and of.value == "of":

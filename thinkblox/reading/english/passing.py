@@ -150,21 +150,24 @@ def _is_made_of(chunks: Sequence[Chunk], at: int) -> bool:
     if at + _FOR >= len(chunks):
         return False
     use, looks, link, thing = chunks[at : at + _FOR + 1]
+    if not isinstance(looks, Adjective) or not isinstance(thing, Noun):
+        return False
     first = isinstance(use, Connector) and use.sort == "verbs" and use.text.lower() in _USING
     again = is_link(use, "joins", "and") and any(
         isinstance(c, Connector) and c.text.lower() in _USING for c in chunks[max(0, at - _FOR - 1) : at]
     )
-    known = isinstance(thing, Noun) and thing.kind == "thing" and thing.det in ("the", "my", "all")
-    told = isinstance(looks, Adjective) and bool(looks.attributes) and is_link(link, "prepositions", "for")
+    known = thing.kind == "thing" and thing.det in ("the", "my", "all")
+    told = bool(looks.attributes) and is_link(link, "prepositions", "for")
     return (first or again) and known and told
 
 
 def _is_in_way(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "must not block the door" comes."""
+    if not is_link(chunks[at], "negations", "not", "exclude"):
+        return False
     block, place = (*chunks[at + 1 : at + 3], None, None)[:2]
-    denied = is_link(chunks[at], "negations", "not", "exclude")
     blocks = isinstance(block, Noun) and not block.det and block.text.lower() in _BLOCKING
-    return denied and blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
+    return blocks and isinstance(place, Noun) and place.kind == "place" and place.definite
 
 
 def _seated(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -178,9 +181,11 @@ def _seated(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_seated_on(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "seats six on two benches" comes: so many are seated, and it has two benches."""
+    if not is_link(chunks[at], "verbs", "seat"):
+        return False
     number, link, seats = (*chunks[at + 1 : at + 4], None, None, None)[:3]
     counted = isinstance(number, Noun) and number.kind == "number" and bool(number.count)
-    seated = is_link(chunks[at], "verbs", "seat") and counted and is_link(link, "prepositions", "on", "with")
+    seated = counted and is_link(link, "prepositions", "on", "with")
     return seated and isinstance(seats, Noun) and seats.kind == "thing" and not seats.definite
 
 

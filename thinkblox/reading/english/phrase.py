@@ -165,11 +165,12 @@ class PhraseReader(Heads):
 
     def _is_what_they_do(self, noun: Noun, at: int, end: int) -> bool:
         """Whether a verb follows a number that stands for things: "two stand by the window", "one stands there"."""
-        doing = grammar().at(self.tokens, at + 1, "verbs")
-        if noun.count is not None and self.tokens[at].text in grammar().lists["modals"] and doing is not None:
+        if noun.count is None:
+            return False
+        can = self.tokens[at].text in grammar().lists["modals"]
+        if can and grammar().at(self.tokens, at + 1, "verbs") is not None:
             return True
-        counted = noun.count is not None and not noun.of_known
-        verb = grammar().at(self.tokens, at, "verbs") if counted and end == at + 1 else None
+        verb = grammar().at(self.tokens, at, "verbs") if not noun.of_known and end == at + 1 else None
         if verb is None or verb.length != 1 or self.tokens[at].text.endswith("s") != (noun.count == 1):
             return False
         return grammar().at(self.tokens, end, "prepositions", "pronouns", "determiners") is not None
@@ -332,9 +333,10 @@ class PhraseReader(Heads):
 
     def _is_shape(self, at: int) -> bool:
         """Whether "round" is an adjective: "Centre: round table", not "round the table"."""
-        bare = grammar().at(self.tokens, at + 1, "determiners") is None
+        if at >= len(self.tokens) or self.tokens[at].text != "round":
+            return False
         follows = self._starts_noun(at + 1) or (self._is_one(at + 1) and self._text(at - 1, at).lower() in ("a", "the"))
-        return at < len(self.tokens) and self.tokens[at].text == "round" and bare and follows
+        return follows and grammar().at(self.tokens, at + 1, "determiners") is None
 
     def _is_figure(self, noun: Noun, at: int, units: Units) -> bool:
         """Whether several of a singular noun have to be of a word for people: "seven tin | soldiers"."""
@@ -344,8 +346,9 @@ class PhraseReader(Heads):
 
     def _is_one_alone(self, at: int) -> bool:
         """Whether "one" stands for a noun, rather than before one: "under the bench | one basket"."""
-        doing = grammar().at(self.tokens, at + 1, "verbs", "participles") is not None
-        return self._is_one(at) and (doing or not self._starts_noun(at + 1))
+        if not self._is_one(at):
+            return False
+        return grammar().at(self.tokens, at + 1, "verbs", "participles") is not None or not self._starts_noun(at + 1)
 
     def _kind_of_one(self, noun: Noun, at: int, units: Units, known: Known) -> int:
         """Take the iron of "a black iron one" for what that is like."""

@@ -13,9 +13,10 @@ def with_place_settings(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which so many of each thing stand for so many place settings of which is told what they have."""
     made = list(chunks)
     for at in range(len(made) - 1, -1, -1):
-        setting, after = made[at], made[at + 1 :]
+        setting = made[at]
         if not isinstance(setting, Noun) or setting.value != _SETTING:
             continue
+        after = made[at + 1 :]
         people = after[1] if is_link(after[0] if after else None, "prepositions", "for") else None
         if not setting.count and isinstance(people, Noun) and people.count:
             setting, after = replace(setting, count=people.count), after[2:]

@@ -19,6 +19,11 @@ _OPPOSITE = ("opposite", "other side", "other end", "facing wall", "other wall")
 """What is said of the wall across from one that was named."""
 
 
+def begins_two_walls(word: str) -> bool:
+    """Whether a word can be the first of what `two_walls_at` reads."""
+    return word in ("the", "both") or word in _WALLS
+
+
 def two_walls_at(words: Sequence[str]) -> tuple[str, int]:
     """The walls that "the left and right walls" are, and how many words that takes; "" and 0 where it is not that."""
     if list(words[:2]) == ["the", "walls"] and list(words[3:6]) in (["the", "left", "and"], ["the", "right", "and"]):

@@ -245,10 +245,11 @@ class Positions(Subjects):
 
     def _lays_places(self, where: Where) -> bool:
         """Read "a table for four, at every seat a plate", where no seats are named, as so many plates on the table."""
-        noun, table = where.noun, next((t for t in reversed(self.draft.things) if t.seats), None)
-        place = noun is not None and noun.each and noun.word in grammar().lists["seats"] and where.word in _AT_SEATS
-        begins = not self.frontier or bool(self.separator)
-        if not place or noun is None or table is None or self._seats():
+        noun, begins = where.noun, not self.frontier or bool(self.separator)
+        if noun is None or not noun.each or noun.word not in grammar().lists["seats"] or where.word not in _AT_SEATS:
+            return False
+        table = next((t for t in reversed(self.draft.things) if t.seats), None)
+        if table is None or self._seats():
             return False
         self._spend(noun)
         if not begins:

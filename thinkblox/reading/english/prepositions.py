@@ -246,9 +246,10 @@ class Prepositions(Negation):
 
     def _is_anything_else(self, noun: Noun | None) -> bool:
         """Whether what comes is all that is not to be there: "anything on the walls is fine except mirrors"."""
+        if noun is None or noun.kind != "thing" or noun.definite:
+            return False
         said = (chunk for chunk in self.chunks[self._clause_start() : self.at] if isinstance(chunk, Noun))
-        anything = any(chunk.text.lower() in ("anything", "everything", "whatever") for chunk in said)
-        return anything and noun is not None and noun.kind == "thing" and not noun.definite
+        return any(chunk.text.lower() in ("anything", "everything", "whatever") for chunk in said)
 
     def _excepted_of_subject(self, noun: Noun | None) -> bool:
         """Take "every bench has a scale except the last one" for so many of the benches, of which that is not so."""

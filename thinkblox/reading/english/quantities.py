@@ -6,6 +6,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
+from thinkblox.reading.tokens import Token
 
 _OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
 _PILES = 2
@@ -19,12 +20,17 @@ SHELVES = "bookcase"
 """What stands where a wall is said to be of what lies on it: "a wall of books"."""
 _WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", *_KINDS)
 """Measures of which one is one thing: "a roll of paper", "the kind of sofa"."""
+_LEADING = ("determiners", "quantifiers", "count", "vague", "measures", "fractions", "ordinal")
+"""Sections of the grammar whose words begin a noun phrase."""
 
 
 class Quantities(Words):
     """Reads determiners and quantities."""
 
     def _before(self, noun: Noun, at: int) -> int:
+        """Where the noun phrase goes on that begins at `at`, after its determiner and quantity."""
+        if not self._may_lead(self.tokens[at]):
+            return at
         while at < len(self.tokens):
             step = (
                 self._fraction(noun, at)
@@ -38,6 +44,10 @@ class Quantities(Words):
                 return at
             at += step
         return at
+
+    def _may_lead(self, token: Token) -> bool:
+        """Whether a token can be the first of a determiner or quantity."""
+        return token.kind == "number" or token.text == "between" or grammar().begins(token.text, *_LEADING)
 
     def _determiner(self, noun: Noun, at: int) -> int:
         found = grammar().all_at(self.tokens, at, "determiners")
@@ -69,8 +79,8 @@ class Quantities(Words):
             noun.of_known = known
             noun.count = 1 if known else None
             return said.length + 1 if known else 0
-        start = next((n for n in (3, 2) if self._words_at(at, n) in _OF_EVERY), 0)
-        number = self._number(at + start) if start and noun.count else None
+        start = next((n for n in (3, 2) if self._words_at(at, n) in _OF_EVERY), 0) if noun.count else 0
+        number = self._number(at + start) if start else None
         if number is None or not noun.count or number[0] <= noun.count or not self._starts_noun(at + start + number[1]):
             return 0
         noun.fraction, noun.of_known = (noun.count, number[0]), True

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.palette import COLOURS, with_general
@@ -433,11 +434,13 @@ def _is_another_kind(noun: Noun, thing: Mention) -> bool:
 
 def _is_one_besides(noun: Noun, thing: Mention) -> bool:
     """Whether "the armchair" is none of six chairs, and "my own desk" none of several."""
+    if not thing.many:
+        return False
     if noun.det == "my" and not noun.plural and noun.text.lower().split()[1:2] == ["own"]:
-        return thing.many
+        return True
     lone = noun.det == "the" and not (noun.plural or noun.ordinal or noun.side or noun.degree or noun.of_known)
     own = noun.named and noun.value in CATALOGUE and noun.count in (None, 1) and last_word(thing) != noun.word
-    return lone and own and thing.many and noun.value != thing.noun and not counts_as(thing.noun, noun.value)
+    return lone and own and noun.value != thing.noun and not counts_as(thing.noun, noun.value)
 
 
 def _is_own_name(text: str, value: str) -> bool:
@@ -500,4 +503,9 @@ def _head_word(thing: Mention) -> str:
 
 def last_word(thing: Mention) -> str:
     """The singular of the last word that a thing was named by."""
-    return singular(thing.text.rpartition(" ")[2].casefold())
+    return _singular_of_last(thing.text)
+
+
+@lru_cache(maxsize=4096)
+def _singular_of_last(text: str) -> str:
+    return singular(text.rpartition(" ")[2].casefold())

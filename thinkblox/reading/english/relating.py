@@ -133,11 +133,13 @@ class Relating(Naming):
         if not (meaning.pointed and meaning.both) or len(subjects) != 1 or not isinstance(carrier, Mention):
             return False
         carried = subjects[0]
-        before = self.draft.things[: self.draft.things.index(carrier)] if carrier in self.draft.things else []
-        beside = [t for t in before if self.habits.tie(carrier.noun, t.noun) == "next_to"]
         had = any(b.implied and b.anchors == (carrier,) for b in self.draft.bonds_of(carried))
         lies = is_small(carried) or self.habits.is_in(carried.noun, "lamps")
-        if not (beside and had and lies and carrier.count == 1):
+        if not (had and lies and carrier.count == 1):
+            return False
+        before = self.draft.things[: self.draft.things.index(carrier)] if carrier in self.draft.things else []
+        beside = [t for t in before if self.habits.tie(carrier.noun, t.noun) == "next_to"]
+        if not beside:
             return False
         meaning = replace(meaning, anchors=(beside[-1],))
         if not self._flanks([carrier], meaning):
@@ -285,8 +287,8 @@ class Relating(Naming):
         """Keep the number that "each" gave where the relation to it is told in other words."""
         if bond.subject.per and set(bond.anchors) <= set(bond.subject.per):
             bond.each |= bond.kind != "between"
-        for old in self.draft.bonds:
-            if old.implied and old.each and old.subject is bond.subject and not bond.each:
+        for old in self.draft.bonds_of(bond.subject):
+            if old.implied and old.each and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]
                 if not old.distributed and bond.anchors != old.anchors:
                     continue

@@ -218,8 +218,9 @@ class SecondOpinion:
 
     def _is_anywhere(self, thing: Mention) -> bool:
         """Whether anything is said of where a thing is, or of others by it."""
-        beside = any(thing in b.anchors and b.kind not in _LYING for b in self._draft.bonds)
-        return bool(self._draft.bonds_of(thing) or thing.per) or beside
+        if self._draft.bonds_of(thing) or thing.per:
+            return True
+        return any(thing in b.anchors and b.kind not in _LYING for b in self._draft.bonds)
 
     def _is_one_sided(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether "to the left" was not read as that, or of "to the left and right" only one side."""

@@ -101,10 +101,19 @@ def surface_at(tokens: Sequence[Token], at: int, is_room: Callable[[int], bool])
     if before in _DENIED or tokens[at].kind != "word":
         return None
     start = at + 1 if tokens[at].text in _ARTICLES else at
+    if not _may_begin(_text(tokens, start)):
+        return _said_of_room(tokens, start, is_room)
     for reader in (_said_before, _said_after, _said_by_itself):
         if (found := reader(tokens, at, start)) is not None:
             return found
     return _said_of_room(tokens, start, is_room)
+
+
+def _may_begin(word: str) -> bool:
+    """Whether a word can be the first that says what a floor or walls are like."""
+    words = surface_words()
+    said = word in words.colours or word in words.shades or word in words.fillers
+    return said or word in _HEADS or word in words.walls or word in words.floor
 
 
 def _said_before(tokens: Sequence[Token], at: int, start: int) -> SurfaceFinding | None:
@@ -183,7 +192,7 @@ def _bares(tokens: Sequence[Token], start: int) -> bool:
 
 def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], bool]) -> SurfaceFinding | None:
     """Read "carpeted" in "a carpeted office", "brick-walled" in "a brick-walled cafe"; the room itself is left."""
-    end = next((n for n in range(start, min(start + 3, len(tokens))) if _text(tokens, n) in _FINISHED), None)
+    end = next((n for n, token in enumerate(tokens[start : start + 3], start) if token.text in _FINISHED), None)
     if end is None or not is_room(end + 1):
         return None
     said = _text(tokens, end)

@@ -106,25 +106,29 @@ class _Surveyor:
         self.seen.verb |= link.sort == "verbs"
         if link.sort in ("mark", "joins") and isinstance(self._before, Noun) and self._before.value == "each":
             self._each = None
-        if is_link(link, "mark", "stop"):
-            self._end_sentence()
-        elif is_link(link, "joins", "and") and self._between and self._anchored:
-            self._role, self._between = "anchor", False
-        elif is_link(link, "mark") or is_link(link, "joins", "and", "but"):
-            self._end_part(link)
-        elif is_link(link, "joins", "which"):
-            self._outer = self._head
-        elif is_having(link) or is_link(link, "inverses"):
-            self._have(link)
-            self._parts = is_link(link, "inverses", *_PARTING)
-        elif is_spatial(link) or is_link(link, "prepositions", "to"):
-            self._role, self._told, self._here = "anchor", True, True
-            self._link_to = link.value
-            self._between = is_link(link, "prepositions", "between")
-            self._head = self._last if self._apart else self._head
-            self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
-        elif is_link(link, "prepositions", "of"):
-            self._role = "anchor" if self._parted else "member"
+        match link.sort, link.value:
+            case "mark", "stop":
+                self._end_sentence()
+            case "joins", "and" if self._between and self._anchored:
+                self._role, self._between = "anchor", False
+            case ("mark", _) | ("joins", "and" | "but"):
+                self._end_part(link)
+            case "joins", "which":
+                self._outer = self._head
+            case "inverses", value:
+                self._have(link)
+                self._parts = value in _PARTING
+            case _ if is_having(link):
+                self._have(link)
+                self._parts = False
+            case "prepositions", "of":
+                self._role = "anchor" if self._parted else "member"
+            case "prepositions", value if value == "to" or is_spatial(link):
+                self._role, self._told, self._here = "anchor", True, True
+                self._link_to = value
+                self._between = value == "between"
+                self._head = self._last if self._apart else self._head
+                self.seen.links[link.start] = (self.seen.sentence, self.seen.part, value)
 
     def _end_sentence(self) -> None:
         self.seen.last = self.seen.part

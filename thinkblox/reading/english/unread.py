@@ -49,7 +49,7 @@ def _comparison(words: list[str]) -> int:
     same = words[1:] if words[:1] == ["the"] else words
     if same[:1] == ["same"] and same[2:3] == ["as"] and _is_in(same[1], "measures_of_things"):
         return 3 + len(words) - len(same)
-    for start in range(3):
+    for start in range(3) if "as" in words[:3] else ():
         if words[start : start + 1] == ["as"] and words[start + 2 : start + 3] == ["as"]:
             fits = all(_is_in(word, "times") or word.isdigit() for word in words[:start])
             return start + 3 if fits and _is_in(words[start + 1], "comparable") else 0
@@ -58,8 +58,10 @@ def _comparison(words: list[str]) -> int:
 
 def _degrees(words: list[str]) -> int:
     """Read "at 45 degrees to the wall", "rotated by 30 degrees"."""
+    if words[0] not in ("at", "rotated", "turned", "angled", "tilted"):
+        return 0
     start = next((n for n, word in enumerate(words[:3]) if word[:1].isdigit()), 0)
-    if not start or words[0] not in ("at", "rotated", "turned", "angled", "tilted"):
+    if not start:
         return 0
     return start + 2 if words[start + 1 : start + 2] in (["degrees"], ["degree"], ["\u00b0"]) else 0
 

@@ -91,17 +91,20 @@ class Verbs(Prepositions):
         family = self.referents.family(thing) if thing is not None else []
         parted = len(family) > 1 and self._is_link(self._before(), "mark", "comma")
         plural = not link.text.lower().split()[0].endswith("s")
+        if self.subject is None or not parted or not plural:
+            return
         here = {t for chunk in self.chunks[self._clause_start() : self.at] for t in self.meant.get(chunk.start, ())}
-        if self.subject is not None and parted and plural and here & set(family):
+        if here & set(family):
             self.subject = Node(family, self.subject.frame, known=self.subject.known)
 
     def _one_subject(self, link: Connector) -> Node | None:
         """What a verb is said of: of a thing alone where it is singular, though others are joined to what it has."""
         node = self._whole_subject()
-        said = self.chunks[self._clause_start() : self.at - 1]
+        if node is None or len(node.things) < 2 or node.things[0].many:
+            return node
+        first, said = node.things[0], self.chunks[self._clause_start() : self.at - 1]
         having = next((n for n, chunk in enumerate(said) if self._is_link(chunk, "prepositions", "with")), None)
-        first = node.things[0] if node is not None else None
-        if node is None or first is None or len(node.things) < 2 or first.many or having is None:
+        if having is None:
             return node
         named = said[having - 1] if having else None
         single = link.text.lower() in ("is", "stands", "sits", "hangs", "lies") and isinstance(named, Noun)

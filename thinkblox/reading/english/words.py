@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from thinkblox.assets.names import ThingName
+from thinkblox.assets.names import ThingName, begins_name
 from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.adjectives import adjective_kinds
@@ -50,6 +50,7 @@ class Words:
         self.tokens = list(tokens)
         self.group = False
         self._seen: dict[tuple[int, tuple[str, ...]], Known | None] = {}
+        self._begun: dict[int, list[tuple[int, tuple[Entry, ...]]]] = {}
         self._names: dict[str, ThingName | None] = {}
         self._sizes: dict[int, tuple[Size, int] | None] = {}
         self._unread: dict[int, int] = {}
@@ -73,24 +74,33 @@ class Words:
         return self._seen[at, sorts]
 
     def _look_up(self, at: int, sorts: tuple[Sort, ...]) -> Known | None:
+        if at not in self._begun:
+            self._begun[at] = self._phrases_from(at)
         found: Known | None = None
+        for length, meanings in self._begun[at]:
+            entries = [e for e in meanings if e.sort in sorts]
+            if not entries and length == 1 and self.tokens[at].owner:
+                bare = self.tokens[at].text.removesuffix("s")
+                entries = [e for e in self.lexicon.phrases.get((bare,), ()) if e.sort in sorts]
+            if entries:
+                entries.sort(key=lambda entry: sorts.index(entry.sort))
+                found = Known(entries[0], length, tuple(e for e in meanings if e is not entries[0]))
+        return self._plain(at, found) if "object" in sorts else found
+
+    def _phrases_from(self, at: int) -> list[tuple[int, tuple[Entry, ...]]]:
+        """How many words the phrases of the lexicon have that begin at `at`, one among them, and what they mean."""
+        found: list[tuple[int, tuple[Entry, ...]]] = []
         key: tuple[str, ...] = ()
         for index in range(at, min(at + LONGEST, len(self.tokens))):
             text = self.tokens[index].text
             if self.tokens[index].owner and index > at:
                 text = text.removesuffix("s") if (*key, text) not in self.lexicon.prefixes else text
             key = (*key, text)
-            entries = [e for e in self.lexicon.phrases.get(key, ()) if e.sort in sorts]
-            if not entries and index == at and self.tokens[index].owner:
-                entries = [e for e in self.lexicon.phrases.get((text.removesuffix("s"),), ()) if e.sort in sorts]
-            if entries:
-                entries.sort(key=lambda entry: sorts.index(entry.sort))
-                others = tuple(e for e in self.lexicon.phrases.get(key, ()) if e is not entries[0])
-                found = Known(entries[0], index + 1 - at, others)
+            meanings = self.lexicon.phrases.get(key, ())
+            if meanings or index == at:
+                found.append((index + 1 - at, meanings))
             if key not in self.lexicon.prefixes:
                 break
-        if "object" in sorts:
-            found = self._plain(at, found)
         return found
 
     def _named(self, phrase: str, length: int) -> ThingName | None:
@@ -105,6 +115,8 @@ class Words:
             if token.kind != "word":
                 break
             words.append(token.text)
+            if not begins_name(words[0]):
+                break
         least = found.length if found is not None else 0
         for length in range(len(words), least, -1):
             named = self._named(" ".join(words[:length]), length)
