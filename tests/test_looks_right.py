@@ -302,3 +302,18 @@ def test_a_rug_is_under_the_middle_of_a_round_table_or_away_from_it():
 def test_nobody_has_their_hair_washed_where_none_is_cut(prompt: str):
     kinds = {r.category for seed in range(4) for r in varied(read_brief(prompt), seed).requests}
     assert kinds.isdisjoint({"shampoo_basin", "hairdressing_trolley", "hair_dryer_chair"})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("Four desks along the wall. Each has a chair; every second chair has a cushion on it, so two in all.", "desk"),
+        ("A storage room with three racks along the wall", "shelving_unit"),
+        ("Six lockers along the wall and three benches along the opposite wall", "locker"),
+    ],
+)
+def test_what_stands_along_the_wall_stands_in_one_line(prompt: str, category: str):
+    room = made(prompt)
+    things = placed(room, category)
+    assert len({thing.yaw for thing in things}) == 1
+    assert all(off_walls(room, thing) < 0.1 for thing in things)
