@@ -317,3 +317,19 @@ def test_what_stands_along_the_wall_stands_in_one_line(prompt: str, category: st
     things = placed(room, category)
     assert len({thing.yaw for thing in things}) == 1
     assert all(off_walls(room, thing) < 0.1 for thing in things)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A table with six chairs and a high chair at one end. Each chair gets a plate, a cup and a party hat.", "cup"),
+        ("A birthday table with six chairs; six plates, six cups and six party hats are on it.", "party_hat"),
+        ("A round table with four chairs. Four plates, four wine glasses and four forks are on the table.", "fork"),
+    ],
+)
+def test_what_comes_once_for_each_seat_lies_before_it(prompt: str, category: str):
+    room = made(prompt)
+    chairs = placed(room, "chair")
+    near = [min(chairs, key=lambda c: math.dist(c.position[:2], p.position[:2])).id for p in placed(room, category)]
+    assert len(set(near)) == len(near) == len(chairs)
+    assert all(measured.holds for measured in room.report.relations if category in measured.subject)
