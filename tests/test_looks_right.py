@@ -333,3 +333,14 @@ def test_what_comes_once_for_each_seat_lies_before_it(prompt: str, category: str
     near = [min(chairs, key=lambda c: math.dist(c.position[:2], p.position[:2])).id for p in placed(room, category)]
     assert len(set(near)) == len(near) == len(chairs)
     assert all(measured.holds for measured in room.report.relations if category in measured.subject)
+
+
+def test_no_machine_stands_on_the_mats_before_a_mirror():
+    room = made(
+        "A gym, 20 by 16 feet, with three treadmills side by side and two exercise bikes behind them. "
+        "In front of the mirror on the wall lie five yoga mats."
+    )
+    mats = placed(room, "yoga_mat")
+    machines = (*placed(room, "treadmill"), *placed(room, "exercise_bike"))
+    assert len(mats) == 5
+    assert not any(mat.footprint.intersection(p.footprint).area > 0.01 for mat in mats for p in machines)
