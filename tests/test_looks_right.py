@@ -344,3 +344,10 @@ def test_no_machine_stands_on_the_mats_before_a_mirror():
     machines = (*placed(room, "treadmill"), *placed(room, "exercise_bike"))
     assert len(mats) == 5
     assert not any(mat.footprint.intersection(p.footprint).area > 0.01 for mat in mats for p in machines)
+
+
+def test_the_first_of_wide_rows_is_not_far_from_the_board():
+    room = made("A study hall with two rows of six desks and a whiteboard")
+    (board,) = placed(room, "whiteboard")
+    ahead = [board.to_local(corner)[0] for desk in placed(room, "school_desk") for corner in desk.corners]
+    assert 1.8 < min(ahead) < 3.0
