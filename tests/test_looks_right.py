@@ -199,8 +199,9 @@ def test_a_twin_room_has_two_single_beds():
 
 def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
     room = made("The dishwasher stands next to the sink; four plates are on the counter.")
-    (counter,) = placed(room, "counter")
-    assert off_walls(room, counter) < 0.1
+    counters = placed(room, "base_cabinet")
+    assert counters
+    assert all(off_walls(room, counter) < 0.1 for counter in counters)
 
 
 def test_each_bunk_bed_of_a_dorm_has_its_locker_at_its_head_by_the_wall():
@@ -351,3 +352,12 @@ def test_the_first_of_wide_rows_is_not_far_from_the_board():
     (board,) = placed(room, "whiteboard")
     ahead = [board.to_local(corner)[0] for desk in placed(room, "school_desk") for corner in desk.corners]
     assert 1.8 < min(ahead) < 3.0
+
+
+def test_the_counter_between_a_sink_and_a_dishwasher_is_a_kitchens_and_has_its_top_free():
+    prompt = "The dishwasher stands next to the sink; four plates and two bowls are on the counter. An oven."
+    assert counts(prompt)["base_cabinet"] == 1
+    assert counts("A cafe with a counter, an oven and a sink")["counter"] == 1
+    room = made(prompt)
+    assert all(measured.holds for measured in room.report.relations)
+    assert min(math.dist(p.position[:2], placed(room, "oven")[0].position[:2]) for p in placed(room, "sink")) < 2.0
