@@ -199,8 +199,9 @@ def test_a_twin_room_has_two_single_beds():
 
 def test_a_counter_with_a_sink_beside_a_dishwasher_stands_at_the_wall():
     room = made("The dishwasher stands next to the sink; four plates are on the counter.")
-    (counter,) = placed(room, "counter")
-    assert off_walls(room, counter) < 0.1
+    counters = placed(room, "base_cabinet")
+    assert counters
+    assert all(off_walls(room, counter) < 0.1 for counter in counters)
 
 
 def test_each_bunk_bed_of_a_dorm_has_its_locker_at_its_head_by_the_wall():
@@ -302,3 +303,61 @@ def test_a_rug_is_under_the_middle_of_a_round_table_or_away_from_it():
 def test_nobody_has_their_hair_washed_where_none_is_cut(prompt: str):
     kinds = {r.category for seed in range(4) for r in varied(read_brief(prompt), seed).requests}
     assert kinds.isdisjoint({"shampoo_basin", "hairdressing_trolley", "hair_dryer_chair"})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("Four desks along the wall. Each has a chair; every second chair has a cushion on it, so two in all.", "desk"),
+        ("A storage room with three racks along the wall", "shelving_unit"),
+        ("Six lockers along the wall and three benches along the opposite wall", "locker"),
+    ],
+)
+def test_what_stands_along_the_wall_stands_in_one_line(prompt: str, category: str):
+    room = made(prompt)
+    things = placed(room, category)
+    assert len({thing.yaw for thing in things}) == 1
+    assert all(off_walls(room, thing) < 0.1 for thing in things)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A table with six chairs and a high chair at one end. Each chair gets a plate, a cup and a party hat.", "cup"),
+        ("A birthday table with six chairs; six plates, six cups and six party hats are on it.", "party_hat"),
+        ("A round table with four chairs. Four plates, four wine glasses and four forks are on the table.", "fork"),
+    ],
+)
+def test_what_comes_once_for_each_seat_lies_before_it(prompt: str, category: str):
+    room = made(prompt)
+    chairs = placed(room, "chair")
+    near = [min(chairs, key=lambda c: math.dist(c.position[:2], p.position[:2])).id for p in placed(room, category)]
+    assert len(set(near)) == len(near) == len(chairs)
+    assert all(measured.holds for measured in room.report.relations if category in measured.subject)
+
+
+def test_no_machine_stands_on_the_mats_before_a_mirror():
+    room = made(
+        "A gym, 20 by 16 feet, with three treadmills side by side and two exercise bikes behind them. "
+        "In front of the mirror on the wall lie five yoga mats."
+    )
+    mats = placed(room, "yoga_mat")
+    machines = (*placed(room, "treadmill"), *placed(room, "exercise_bike"))
+    assert len(mats) == 5
+    assert not any(mat.footprint.intersection(p.footprint).area > 0.01 for mat in mats for p in machines)
+
+
+def test_the_first_of_wide_rows_is_not_far_from_the_board():
+    room = made("A study hall with two rows of six desks and a whiteboard")
+    (board,) = placed(room, "whiteboard")
+    ahead = [board.to_local(corner)[0] for desk in placed(room, "school_desk") for corner in desk.corners]
+    assert 1.8 < min(ahead) < 3.0
+
+
+def test_the_counter_between_a_sink_and_a_dishwasher_is_a_kitchens_and_has_its_top_free():
+    prompt = "The dishwasher stands next to the sink; four plates and two bowls are on the counter. An oven."
+    assert counts(prompt)["base_cabinet"] == 1
+    assert counts("A cafe with a counter, an oven and a sink")["counter"] == 1
+    room = made(prompt)
+    assert all(measured.holds for measured in room.report.relations)
+    assert min(math.dist(p.position[:2], placed(room, "oven")[0].position[:2]) for p in placed(room, "sink")) < 2.0

@@ -309,10 +309,11 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     return waiting
 
 
-def _built_into(members: Members, anchor: Member) -> int:
-    """How many things are built into it."""
-    built_in = (m for m in members.all if load_habits().is_in(m.category, "built_in"))
-    return sum(tie.kind == "on" and anchor.id in tie.anchors for m in built_in for tie in m.ties)
+def _built_into(members: Members, anchor: Member) -> tuple[int, int]:
+    """How many things are built into it, and how many are asked to stand on it."""
+    on = [(m, tie) for m in members.all for tie in m.ties if tie.kind == "on" and anchor.id in tie.anchors]
+    built_in = sum(load_habits().is_in(member.category, "built_in") for member, _ in on)
+    return built_in, sum(tie.asked for _, tie in on)
 
 
 def _is_its_own(anchor: Member, member: Member, habit: Habit) -> bool:

@@ -12,6 +12,7 @@ from thinkblox.assets.make import make_thing
 from thinkblox.assets.open_forms import FOR_LONG, TIERED
 from thinkblox.assets.sizing import UPRIGHT, is_stood, size_for, sizes_of
 from thinkblox.brief import Measures
+from thinkblox.knowledge.things import is_surface
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec2, Vec3
@@ -201,7 +202,8 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     furniture = kind.is_in("surfaces", "tables", "counters", "worktops")
     free = member.mount == "wall" or not (furniture or kind.is_in("seats", "seating"))
     growth = FREELY if free and (small or member.mount == "wall") else GROWTH if furniture or small else SLIGHT
-    growth = (1.0, growth[1]) if lined else growth
+    if lined:  # A worktop is as long as it is laid out, a cabinet not.
+        growth = (1.0, FREELY[1] if is_surface(member.request.called) else growth[1])
     factors = (sqrt(growth[0] * growth[1]),) * 2 if even else (growth if long else growth[::-1])
     rim = (usual[0] - top.size[0], usual[1] - top.size[1])
     most = [

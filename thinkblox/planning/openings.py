@@ -11,6 +11,7 @@ from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.knowledge.rooms import RoomType, room_type
+from thinkblox.planning.space import rows_along_walls
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
 from thinkblox.scene.room import Opening, Room, Wall
 
@@ -157,11 +158,11 @@ def _spared(brief: Brief, room: Room) -> frozenset[int]:
 
 
 def _for_row(brief: Brief, room: Room) -> frozenset[int]:
-    """The longest walls, where a row of seats will stand before what hangs on one: a mirror before each."""
+    """The longest walls, where a row will stand along one, or seats before what hangs there: a mirror before each."""
     hung = {r.category: r.count for r in brief.requests if kind_of(r.category).mount == "wall"}
     seats = [r for r in brief.requests if r.count >= _ROW and facts_of(r.category).is_in("seating")]
     rows = (hung.get(a) == r.count for r in seats for h in load_habits().of(r.category) for a in _looked_into(h))
-    return frozenset(_by_length(room, "long_wall")) if any(rows) else frozenset()
+    return frozenset(_by_length(room, "long_wall")) if any(rows) or rows_along_walls(brief) else frozenset()
 
 
 def _looked_into(habit: Habit) -> tuple[str, ...]:

@@ -166,6 +166,7 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
             with_anchor=_is_with_anchor(member, members),
             companion=_companion(member, members),
             belongs=_belongs_beside(member, members),
+            before=_lain_before(member, members),
         )
         for number, member in enumerate(members.all)
     }
@@ -249,6 +250,12 @@ def _is_wall_wide(member: Member) -> bool:
     return member.mount == "wall" and kind.hanging.middle - height / 2 < _LOW and min(width, height) > _WIDE
 
 
+def _lain_before(member: Member, members: Members) -> float:
+    """How much floor is taken by what is asked to lie before it, as the mats before a mirror do [m2]."""
+    lying = (m for m in members.all if m.flat and m.request.asked)
+    return sum(m.footprint for m in lying if any(t.kind == "in_front_of" and member.id in t.anchors for t in m.ties))
+
+
 def _is_with_anchor(member: Member, members: Members) -> bool:
     """Whether it takes its place before what stands free, as that does by which it stands: a run, or a counter.
 
@@ -285,7 +292,14 @@ def _companion(member: Member, members: Members) -> Member | None:
 
 
 def _rank(
-    member: Member, number: int, *, arranged: bool, with_anchor: bool, companion: Member | None, belongs: bool
+    member: Member,
+    number: int,
+    *,
+    arranged: bool,
+    with_anchor: bool,
+    companion: Member | None,
+    belongs: bool,
+    before: float,
 ) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
@@ -298,7 +312,7 @@ def _rank(
     shared_out = any(tie.spread for tie in member.ties)
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
-    weight += _NAMED_PLACE_BONUS * wall
+    weight += (_NAMED_PLACE_BONUS + before) * wall
     case = with_anchor and any(tie.kind == "next_to" for tie in member.ties)
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _OVER_BONUS * _is_over(member)

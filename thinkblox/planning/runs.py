@@ -49,6 +49,8 @@ def with_run(brief: Brief, room: Room, seed: int) -> Brief:
     if base is None or brief.empty:
         return brief
     if is_surface(base.called) and base.count == 1:
+        if "kitchen" not in kinds_of_room(brief.room_type):
+            return brief
         brief, base = _besides(brief, base)
     elif not _is_open(brief, base):
         meant = room_type(brief.room_type).run

@@ -47,6 +47,8 @@ _GROWN = 0.4
 """By how much a run may come out longer, for what stands on its worktops [m]."""
 _LONG_RUN = 5.0
 """What is longer goes round a corner [m]."""
+_LONG_ROW = 9.0
+"""What is longer goes along two walls [m]."""
 _BEFORE_RUN, _BEHIND_ISLAND = 1.1, 1.0
 """Free floor between a run and an island before it, and behind that [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -139,9 +141,22 @@ def across_need(brief: Brief) -> float:
             needs.append(
                 sum(extent(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
             )
+    needs += [length for length in map(_row_length, rows_along_walls(brief)) if length <= _LONG_ROW]
     if run := run_length(brief):
         needs.append(min(run + _GROWN, _LONG_RUN))
     return round(min(MAX_SIDE, max(needs)), 1)
+
+
+def rows_along_walls(brief: Brief) -> list[Request]:
+    """What stands in one row along a wall."""
+    walled = {r.subject for r in brief.relations if r.kind == "against_wall" and not r.negated}
+    return [
+        brief.request(r.subject) for r in brief.relations if r.kind == "in_rows" and r.rows == 1 and r.subject in walled
+    ]
+
+
+def _row_length(request: Request) -> float:
+    return request.count * (extent(request)[1] + _BESIDE) + _GROWN
 
 
 def depth_need(brief: Brief) -> float:

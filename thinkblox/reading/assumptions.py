@@ -133,6 +133,16 @@ def spread_along_walls(draft: Draft) -> None:
             bond.spread = min(_MOST_WALLS, count // 2)
 
 
+def line_up_along_wall(draft: Draft) -> None:
+    """Several that stand "along the wall" stand in a row there, rather than each at some wall; counts are settled."""
+    for bond in [b for b in draft.bonds if b.kind == "against_wall" and b.spread == 1]:
+        bond.spread = 0
+        noun, several = bond.subject.noun, (bond.subject.count or 1) > 1 and not bond.negated
+        stands = kind_of(noun).mount == "floor" and not load_habits().is_in(noun, "built_in_line")
+        if several and stands and not any(b.kind == "in_rows" for b in draft.bonds_of(bond.subject)):
+            draft.bonds.append(Bond("in_rows", bond.subject, rows=1, asked=False))
+
+
 def complete_sets(draft: Draft) -> None:
     """Add what comes with things that stand on others and are of no use alone; counts are settled by now."""
     for thing in [t for t in draft.things if t.asked]:

@@ -18,6 +18,7 @@ from thinkblox.reading.assumptions import (
     complete_sets,
     counted_seats,
     draw_up,
+    line_up_along_wall,
     pull_up,
     spread_along_walls,
     stock,
@@ -111,6 +112,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
     spread_along_walls(draft)
+    line_up_along_wall(draft)
     raise_stacks(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":

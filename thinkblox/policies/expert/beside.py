@@ -201,6 +201,7 @@ def before_several(
 ) -> Iterator[Idea]:
     """Places of their own for several in front of the anchor: side by side along it, then in rows behind each other.
 
+    Where one of these is taken, there are two more at the ends of the first row.
     Nobody is so far aside that they are past the anchor's corner rather than before it.
     """
     depth, width = situation.size[0], situation.size[1]
@@ -211,8 +212,9 @@ def before_several(
         rows = math.ceil(tie.count / fit)
         columns = math.ceil(tie.count / rows)
         spread = max(pitch, min(1.5 * pitch, anchor.size[1] / columns))
-        for number in range(tie.count):
-            row, column = divmod(number, columns)
+        slots = [(number, *divmod(number, columns)) for number in range(tie.count)]
+        slots += [(tie.count, 0, column) for column in (-1, columns) if (columns + 1) * spread / 2 < reach]
+        for number, row, column in slots:
             there = min(columns, tie.count - row * columns)
             out = anchor.size[0] / 2 + gap + depth / 2 + row * (depth + _BEHIND_EACH)
             local = (out, (column - (there - 1) / 2) * spread)

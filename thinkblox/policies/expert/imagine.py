@@ -109,7 +109,7 @@ def from_ties(situation: Situation) -> list[Idea]:
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
     in_rows = any(tie.kind == "in_rows" for tie in ties)
     if in_rows:  # A row has its walls among its places.
-        ties = tuple(sorted(ties, key=lambda tie: (tie.kind, tie.anchors) == ("against_wall", ("wall",))))
+        ties = tuple(sorted(ties, key=lambda tie: tie.kind == "against_wall"))
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     if any(tie.kind == "above" and situation.placed(tie.anchors) for tie in ties):
         ties = tuple(tie for tie in ties if tie.kind != "on" or tie.anchors not in (("wall",), ("ceiling",)))

@@ -1,6 +1,7 @@
 """Where things go on a table that people sit at: one to each seat, before whoever sits there."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 
 from thinkblox.assets import facts_of
@@ -11,17 +12,44 @@ from thinkblox.value import Vec2
 
 AT_TABLE = 0.6
 """A seat nearer than this to a table belongs to it [m]."""
+SERVED = 0.5
+"""Cost of a place before a seat that has one of them already."""
+BESIDE_PLATE: tuple[Vec2, ...] = ((0.32, -0.16), (0.06, -0.24), (0.06, 0.24), (0.38, 0.0))
+"""Where a thing lies that is no part of a setting, but comes once to each seat: from the edge, and to the right [m]."""
 
 
 def by_seats(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> Iterator[tuple[Vec2, float]]:
     """A spot on the surface for each seat at the table, one's own first, with its cost."""
-    inset = situation.facts.setting
-    if inset is None or situation.target.count < 2:
+    if situation.target.count < 2:
         return
-    for number, seat in enumerate(_seats_at(situation, anchor)):
-        u, v = _before(anchor, surface, seat, inset, reach=max(situation.size[:2]) / 2)
-        if abs(u) <= free[0] and abs(v) <= free[1]:
-            yield (u, v), -0.6 + (0.0 if number == situation.target.index else 0.1)
+    seats = _laid_for(situation, _seats_at(situation, anchor))
+    served = {min(seats, key=lambda seat: _apart(seat, p)).id for p in situation.siblings if seats}
+    for rank, inset in enumerate(_insets(situation, anchor, len(seats))):
+        for number, seat in enumerate(seats):
+            dear = SERVED * (seat.id in served) + 0.02 * rank
+            u, v = _before(anchor, surface, seat, inset, reach=max(situation.size[:2]) / 2)
+            if abs(u) <= free[0] and abs(v) <= free[1]:
+                yield (u, v), -0.6 + dear + (0.0 if number == situation.target.index else 0.1)
+
+
+def _apart(one: Placement, other: Placement) -> float:
+    return math.dist(one.position[:2], other.position[:2])
+
+
+def _laid_for(situation: Situation, seats: list[Placement]) -> list[Placement]:
+    """The seats of the kind of which there are as many as of the target: the chairs, not the high chair."""
+    kinds = Counter(seat.category for seat in seats)
+    meant = next((kind for kind, number in kinds.items() if number == situation.target.count), None)
+    return [seat for seat in seats if meant in (None, seat.category)]
+
+
+def _insets(situation: Situation, anchor: Placement, seats: int) -> tuple[Vec2, ...]:
+    """Where in a place setting the target may lie, the best first; nowhere where it is no part of any."""
+    if situation.facts.setting is not None:
+        return (situation.facts.setting,)
+    on = (t for t in situation.observation.plan.targets if any(anchor.id in tie.anchors for tie in t.ties))
+    laid = any(t.count == seats and facts_of(t.category).setting is not None for t in on)
+    return BESIDE_PLATE if situation.target.count == seats and laid else ()
 
 
 def axis_of_seat(situation: Situation, anchor: Placement, surface: Surface) -> float:
@@ -60,4 +88,6 @@ def _before(anchor: Placement, surface: Surface, seat: Placement, inset: Vec2, *
         x, y = min(max(x, -a), a), min(max(y, -b), b)
     angle = math.radians(seat.yaw - anchor.yaw)
     (ahead_x, ahead_y), deep = (math.cos(angle), math.sin(angle)), inset[0] + reach
+    if surface.round:  # Beside who sits there, the edge of a disc is nearer to its middle.
+        deep += min(a, b) - math.sqrt(max(0.0, min(a, b) ** 2 - inset[1] ** 2))
     return (x + ahead_x * deep + ahead_y * inset[1], y + ahead_y * deep - ahead_x * inset[1])

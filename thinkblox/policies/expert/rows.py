@@ -29,10 +29,14 @@ from thinkblox.scene.saying import turned
 
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
+OFF_FIRST_ROW = 1.2
+"""Cost per metre by which the first row is nearer to a board or farther from it than is good."""
 OFF_SIGHT = 8.0
 """Cost of a row layout in which nobody sees what the rows look at without turning."""
 ANY_OFF_SIGHT = 2.0
 """The same where somebody does not."""
+TURNED_HEAD = 45.0
+"""How far who sits in a row turns the head to what nobody said they face [deg]."""
 REACH = 0.45
 """How far the middle of a block may be from that of the room, as a share of the room's extent."""
 STEPS = 7
@@ -183,17 +187,22 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
     across = offset @ np.array([-math.sin(angle), math.cos(angle)])
     aside = np.abs(across.mean(-1))
     free = ahead.min(-1) - anchor.size[0] / 2 - situation.size[0] / 2
-    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside + _past(anchor, ahead, across))
+    told = any(tie.asked for tie in situation.target.ties if tie.kind in ("facing", "opposite"))
+    past = _past(anchor, ahead, across, told=told)
+    return np.asarray(OFF_FIRST_ROW * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside + past)
 
 
-def _past(anchor: Placement, ahead: Array, across: Array) -> Array:
-    """What it costs that some in the outer places look past what the rows look at: its middle where it hangs."""
+def _past(anchor: Placement, ahead: Array, across: Array, *, told: bool) -> Array:
+    """What it costs that some in the outer places look past what the rows look at: its middle where it hangs.
+
+    Where nobody told them to face it, they turn their heads to some part of it.
+    """
     off = np.degrees(np.arctan2(np.abs(across), np.maximum(ahead, 0.01)))
-    if kind_of(anchor.category).mount == "floor":
+    if not told or kind_of(anchor.category).mount == "floor":
         depth, width = anchor.size[0] / 2, anchor.size[1] / 2
         beside, before = np.maximum(np.abs(across) - width, 0.0), np.maximum(ahead - depth, 0.01)
         off = np.minimum(off, np.degrees(np.arctan2(beside, before)))
-    past = off > FACING - 1.0
+    past = off > (FACING - 1.0 if told else TURNED_HEAD)
     return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1))
 
 

@@ -10,7 +10,7 @@ from thinkblox.policies.expert.idea import WALL_GAP
 from thinkblox.policies.expert.partners import beside_each, gaps_in_row, shared_gaps
 from thinkblox.policies.expert.row_layout import is_in_blocks
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.policies.expert.walls import oriented
+from thinkblox.policies.expert.walls import named_walls, oriented
 from thinkblox.scene.room import Wall, turn_between
 from thinkblox.value import Vec2
 
@@ -20,8 +20,8 @@ PAIRS = 0.3
 """Free distance between pairs that have something between them, at most [m]."""
 PLACES = 13
 """Places tried along a wall."""
-ONE_WALL = 0.6
-"""Cost of one long row where two were meant, or of two where one was."""
+ONE_WALL, ASKED_WALL = 0.6, 4.0
+"""Cost of one long row where two were meant, or of two where one was: by habit, and along a wall as asked."""
 LONG, TOO_LONG = 6, 2.0
 """Members of a row that is not yet long, and the cost of each more where more rows were meant."""
 UNEVEN = 1.0
@@ -47,19 +47,26 @@ def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list
     shared = shared_gaps(situation)
     paired = 0 < len(shared) < tie.count - 1
     told = tie.rows and (tie.asked or (shared and not paired))
+    along = any(t.kind == "against_wall" and t.asked for t in situation.target.ties)
     for rows in (tie.rows,) if told else (1, 2):
         columns = -(-tie.count // rows)
         columns += columns % 2 if paired else 0
-        dear = ONE_WALL * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
+        dear = (ASKED_WALL if along else ONE_WALL) * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
         dear += TOO_LONG * max(0, columns - LONG) * (rows < tie.rows)
         counts = [min(columns, tie.count - row * columns) for row in range(rows)]
-        for walls in _walls(situation.room.walls, len(counts)):
+        for walls in _walls(_told(situation), len(counts)):
             for rank, gap in enumerate(_gaps(situation, walls[0], columns)):
                 for share in np.linspace(0.0, 1.0, PLACES):
                     found = _row(situation, walls, counts, gap, float(share))
                     if found is not None:
                         cost = 0.1 * rank + dear + 0.3 * abs(float(share) - 0.5)
                         yield (*found, cost)
+
+
+def _told(situation: Situation) -> tuple[Wall, ...]:
+    """The walls that the target may be against: all where none is named."""
+    places = [tie.anchors[0] for tie in situation.target.ties if tie.kind == "against_wall" and tie.anchors]
+    return named_walls(situation.room, places[0]) if places else situation.room.walls
 
 
 def _walls(walls: tuple[Wall, ...], rows: int) -> Iterator[tuple[Wall, ...]]:

@@ -26,8 +26,8 @@ ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
 WAITING = 2
 """From so many on, seats by the walls stand side by side."""
-TORN_APART = 3.0
-"""Cost of a place by the walls that is not in the row of what stands in one."""
+OUT_OF_ROW, TORN_APART = 1.0, 3.0
+"""Cost of a place by the walls, for what stands in a row: beside another of it, but not as the row goes; elsewhere."""
 FOCAL, ATTENDED = 0.9, 3.0
 """What it costs to stand at the end of a wall, where the middle is best, and for what rows of seats look at."""
 FACE_TO_FACE = 30.0
@@ -92,7 +92,7 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
         gaps = (0.05,) if seats else situation.facts.row.beside
         for p in situation.siblings:
             for idea in sides_of(situation, p, ("left", "right"), gaps=gaps, why=f"it stands in a row with {p.id}"):
-                yield replace(idea, cost=idea.cost - 1.0)
+                yield replace(idea, cost=idea.cost + (OUT_OF_ROW if in_rows else -1.0))
     for idea in along_walls(situation, named_walls(situation.room, place)):
         yield replace(idea, cost=idea.cost + TORN_APART) if in_rows else idea
 

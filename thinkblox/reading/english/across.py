@@ -49,7 +49,7 @@ def _leader(draft: Draft, thing: Mention, subject: Mention) -> Mention:
 def _settle(draft: Draft, bond: Bond, before: Mention) -> None:
     for told in draft.bonds_of(before):
         place = told.anchors[0] if told.anchors else ""
-        if not isinstance(place, str) or told.negated or told.spread:
+        if not isinstance(place, str) or told.negated or told.spread > 1:
             continue
         if place in ACROSS and told.kind in _AT_WALL:
             bond.anchors = (ACROSS[place],)

@@ -85,7 +85,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
     times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
     if each and name in ("left_wall", "right_wall"):
         name, times = "wall", 2
-    spread = (several or times) if (each or several) else 0
+    spread = (several or times) if (each or several) else int(word == "along" and not said.plural)
     if said.det == "both":
         spread = 2
     if "all" in text.split() or ("four walls" in text and not said.total):
