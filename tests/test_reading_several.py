@@ -670,3 +670,32 @@ def test_a_car_hangs_on_no_wall() -> None:
     assert ("against_wall", "car", ("left_wall",)) in _ties(brief)
     assert ("on", "wall_bicycle", ("left_wall",)) in _ties(brief)
     assert "wall-mounted" not in brief.request("car").attributes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seats"),
+    [
+        ("A classroom for eight pupils at four desks.", 8),
+        ("A cafe for six people at two tables.", 6),
+        ("A room that seats twelve around an oval table.", 12),
+    ],
+)
+def test_people_at_several_tables_are_shared_out(prompt: str, seats: int) -> None:
+    requests = read_brief(prompt).requests
+    assert sum(request.count for request in requests if request.category == "chair") == seats
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Each has a monitor. They share a printer on a cabinet by the window.",
+        "Each of them has a monitor, and they share a printer that stands on a cabinet.",
+        "Each has a monitor, and a cabinet with a printer on it stands by the door.",
+    ],
+)
+def test_what_people_share_is_apart_from_what_each_has(said: str) -> None:
+    brief = read_brief(f"An office for two people. {said}")
+    counts = {request.category: request.count for request in brief.requests}
+    assert brief.unknown == ()
+    assert (counts["monitor"], counts["printer"], counts["cabinet"], counts["desk"]) == (2, 1, 1, 2)
+    assert all(relation.subject != "monitor" for relation in brief.relations if relation.asked)

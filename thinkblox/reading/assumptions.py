@@ -51,6 +51,8 @@ _MANY, _MOST_WALLS = 4, 3
 """So many along the walls stand at several, and at how many at most: one has the door."""
 _FAR_WORDS = 5
 """So many words further on a place is still that of a thing."""
+_WORKED_ON = ("worked_at", "tables", "counters", "worktops")
+"""What people may work at together."""
 _SINGLE, _LOCKER = "single", "locker"
 _TILL = "cash_register"
 _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
@@ -826,7 +828,7 @@ def _carry(draft: Draft, *, seated: bool) -> None:
         if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
-                own = thing.noun == room_type(draft.room).place
+                own = thing.noun == room_type(draft.room).place or _is_ones_work(draft, thing, noun)
                 carrier, drawn = _add(draft, noun, (thing.count or 1) if own else 1), usual_seat(noun)
                 worked_at = seated and load_habits().is_in(noun, "worked_at")
                 if drawn is not None and worked_at and not _has(draft, "drawn_aside"):
@@ -858,7 +860,14 @@ def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
     high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
     first = next((a for habit in habits.of(thing.noun) if habit.kind == "on" for a in habit.anchors), "")
     own = carrier.many and habits.is_in(carrier.noun, "worked_at") and habits.is_in(first, "storage")
+    if _is_ones_work(draft, thing, first) and not habits.is_in(carrier.noun, *_WORKED_ON):
+        return False
     return not (high and _has(draft, "beds")) and not (own and thing.count == 1 and _is_sat_at(draft, carrier))
+
+
+def _is_ones_work(draft: Draft, thing: Mention, place: str) -> bool:
+    """Whether each of the people of a room has one of what lies where one works: two monitors, in an office for two."""
+    return draft.people > 1 and thing.count == draft.people and load_habits().is_in(place, "worked_at")
 
 
 def _build_in(draft: Draft) -> None:

@@ -1,5 +1,6 @@
 """Where things are: prepositions with what they are to."""
 
+import math
 from dataclasses import replace
 from itertools import takewhile
 
@@ -392,7 +393,7 @@ class Positions(Subjects):
         return True
 
     def _seats_people(self, where: Where) -> bool:
-        """Take the table of "a room that seats twelve around an oval table" for one of that many places."""
+        """Share the people of "a room that seats twelve around an oval table", "eight pupils at four desks" out."""
         noun, said = where.noun, self.chunks[self._began - 1] if self._began else None
         people = isinstance(said, Noun) and said.kind in ("people", "number") and self.draft.people > 0
         if not people or where.word not in ("around", "at") or noun is None or noun.kind != "thing":
@@ -400,7 +401,7 @@ class Positions(Subjects):
         if noun.definite or self.draft.things or self.front:
             return False
         table = self._new(noun)
-        table.seats = table.seats or self.draft.people
+        table.seats = table.seats or math.ceil(self.draft.people / (table.count or 1))
         self._take(table, noun)
         return True
 

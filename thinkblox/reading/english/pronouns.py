@@ -7,6 +7,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
+from thinkblox.reading.english.referents import is_small
 
 _PAIR = 2
 _EVERYTHING = "everything"
@@ -36,7 +37,7 @@ class Pronouns(Numbers):
                 if self.frontier and not self._is_on_one():
                     self.frontier[0].each = self.each = True
             case "them":
-                self._resume(self._they(), noun)
+                self._them_of(noun)
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
                 self.each = True
@@ -52,6 +53,19 @@ class Pronouns(Numbers):
         carried = self._is_link(self.peek(verb), "prepositions", "on", "on_top", "in")
         one = noun is not None and noun.kind == "thing" and noun.det == "a" and not noun.many
         return carried and one and not (isinstance(after, Noun) and after.value == "each")
+
+    def _them_of(self, noun: Noun) -> None:
+        """Speak of several; of nothing where "they" are people."""
+        if self._are_people(noun):
+            self._spend(noun)
+            self._begin()
+        else:
+            self._resume(self._they(), noun)
+
+    def _are_people(self, noun: Noun) -> bool:
+        """Whether "they" are those whom the room is for, each of whom has something small, and who share something."""
+        shared = noun.text.lower() == "they" and self._is_link(self.peek(), "verbs", "share")
+        return shared and self.draft.people > 0 and all(is_small(thing) for thing in self._they())
 
     def _they(self) -> list[Mention]:
         """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""
