@@ -699,3 +699,17 @@ def test_what_people_share_is_apart_from_what_each_has(said: str) -> None:
     assert brief.unknown == ()
     assert (counts["monitor"], counts["printer"], counts["cabinet"], counts["desk"]) == (2, 1, 1, 2)
     assert all(relation.subject != "monitor" for relation in brief.relations if relation.asked)
+
+
+@pytest.mark.parametrize(
+    "tables",
+    [
+        "Six tables",
+        "Six tables, four of them with two chairs, the other two with three",
+        "Six tables, two of them round",
+    ],
+)
+def test_every_second_of_all_though_some_were_told_apart(tables: str) -> None:
+    brief = read_brief(f"A cafe with {tables}. A vase on every second table.")
+    assert _counts(brief)["vase"] == 3
+    assert brief.unknown == ()

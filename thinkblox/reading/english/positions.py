@@ -490,7 +490,7 @@ class Positions(Subjects):
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
         noun, whole = where.noun, where.whole
-        several = noun is not None and noun.kind == "people" and noun.of_known
+        several = noun is not None and noun.kind == "people" and (noun.of_known or self._is_to_somebody(where, noun))
         if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
             self._lose(where.start, whole.end)
         elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
@@ -501,6 +501,10 @@ class Positions(Subjects):
             self.separator = ""
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
+
+    def _is_to_somebody(self, where: Where, noun: Noun) -> bool:
+        """Whether something is said to stand behind or beside those who are in a room, who are none of its things."""
+        return where.word in _SIDEWARD and (noun.definite or not noun.det) and not noun.each
 
     def _is_telling(self, noun: Noun) -> bool:
         """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""

@@ -316,4 +316,10 @@ class Several(Boundaries):
         if noun.counted:
             self.each_of = noun.every
             return [whole]
-        return [self.referents.part(whole, max(1, whole.count // noun.every))]
+        found: list[Mention] = []
+        passed = 0
+        for thing in self.referents.family(whole):
+            count = (passed + (thing.count or 1)) // noun.every - passed // noun.every
+            passed += thing.count or 1
+            found += [self.referents.part(thing, count)] if count else []
+        return found or [self.referents.part(whole, 1)]
