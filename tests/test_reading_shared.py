@@ -362,3 +362,19 @@ def test_what_was_told_of_them_stays_when_they_are_counted() -> None:
 )
 def test_which_of_them_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bookcase and a cabinet with a lamp between them.", "floor_lamp between bookcase cabinet"),
+        ("A desk and a bed stand by the window, with a lamp between them.", "desk_lamp between desk bed"),
+        ("Two armchairs by the window, with a side table between them.", "side_table between armchair"),
+        (
+            "Two beds along the left wall with a ladder each, four lockers along the right wall, a table between them.",
+            "dining_table between bed locker",
+        ),
+    ],
+)
+def test_what_is_between_them_is_in_none(prompt: str, relation: str) -> None:
+    assert relation in told(prompt)[1]

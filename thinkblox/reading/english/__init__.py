@@ -51,6 +51,7 @@ from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
+from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -144,6 +145,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_keyed,
         with_apposed,
         with_place_settings,
+        with_things_between,
         with_wholes,
         with_goals,
         with_tasks,

@@ -282,7 +282,7 @@ class Meanings:
         """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""
         last = likely[0] if likely else None
         things = self.referents.draft.things
-        before = things[things.index(last) - 1] if last in things[1:] else None
+        before = self._beside_room(things[: things.index(last)]) if last in things[1:] else None
         few = last is not None and last.many and (last.count or _SEVERAL) < _SEVERAL
         if last is None or before is None or not before.asked:
             return ()
@@ -292,6 +292,11 @@ class Meanings:
         walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
         opposite = any(b.kind in ("opposite", "facing") and before in b.anchors for b in where)
         return (before, last) if walls or opposite else ()
+
+    def _beside_room(self, things: list[Mention]) -> Mention | None:
+        """The last of some things that is not merely another's, as the ladders of beds are."""
+        bonds = ((thing, self.referents.draft.bonds_of(thing)) for thing in reversed(things))
+        return next((t for t, own in bonds if not own or any(_at_place(bond) for bond in own)), None)
 
     def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
         name = subjects[-1].noun if subjects else noun
