@@ -370,6 +370,7 @@ def test_which_of_them_is_meant(prompt: str, things: dict[str, int], relations: 
         ("A bookcase and a cabinet with a lamp between them.", "floor_lamp between bookcase cabinet"),
         ("A desk and a bed stand by the window, with a lamp between them.", "desk_lamp between desk bed"),
         ("Two armchairs by the window, with a side table between them.", "side_table between armchair"),
+        ("Two armchairs by the fireplace, with a side table between them.", "side_table between armchair"),
         (
             "Two beds along the left wall with a ladder each, four lockers along the right wall, a table between them.",
             "dining_table between bed locker",

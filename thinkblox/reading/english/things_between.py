@@ -17,11 +17,14 @@ def with_things_between(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 
 def _is_of_none(chunks: Sequence[Chunk], at: int) -> bool:
-    """Whether "with" comes after the last of single things, which is not "them"."""
-    joined = [*chunks[max(at - len(("a sofa", "and", "a desk")), 0) : at]]
-    things = [c for c in joined if isinstance(c, Noun) and c.kind == "thing" and not c.many]
-    listed = len(things) > 1 and is_link(joined[1], "joins", "and")
-    return (listed or (at > 0 and is_link(chunks[at - 1], "mark", "comma"))) and _ends_between(chunks, at + 1)
+    """Whether "with" comes after the last of single things, or after a comma, and is not said of "them"."""
+    before = [*chunks[max(at - len(("a sofa", "and", "a desk")), 0) : at]]
+    things = [isinstance(c, Noun) and c.kind == "thing" for c in before]
+    single = not any(isinstance(c, Noun) and c.many for c in before)
+    listed = things == [True, False, True] and single and is_link(before[1], "joins", "and")
+    placed = len(before) > 1 and things[-2] and is_link(before[0], "prepositions")
+    parted = bool(before) and is_link(before[-1], "mark", "comma") and not placed
+    return (listed or parted) and _ends_between(chunks, at + 1)
 
 
 def _ends_between(chunks: Sequence[Chunk], at: int) -> bool:
