@@ -86,7 +86,16 @@ def assume(draft: Draft, fill: Fill) -> None:
         _one_on_each(draft)
         _ring_up(draft)
         _lay_out_goods(draft, sold)
+        _clear(draft)
         _carry(draft, seated=True)
+
+
+def _clear(draft: Draft) -> None:
+    """Nothing lies unasked on what is to be empty."""
+    empty = [t for t in draft.things if "empty" in t.states]
+    for thing in [t for t in draft.things if not t.asked and empty]:
+        if any(b.kind in ("on", "inside") and set(b.anchors) & set(empty) for b in draft.bonds_of(thing)):
+            draft.drop(thing)
 
 
 def _shape_by_run(draft: Draft) -> None:
