@@ -379,3 +379,21 @@ def test_which_of_them_is_meant(prompt: str, things: dict[str, int], relations: 
 )
 def test_what_is_between_them_is_in_none(prompt: str, relation: str) -> None:
     assert relation in told(prompt)[1]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Over the workbench a pegboard, tires stacked in the back corner, and a bike by the door.",
+            {"pegboard above workbench", "tires in_corner far_wall", "bicycle next_to door"},
+        ),
+        (
+            "On the left wall a shelf, and a lamp hanging from the ceiling.",
+            {"wall_shelf on left_wall", "pendant_lamp on ceiling"},
+        ),
+        ("Above the sofa a clock and a picture hanging by the door.", {"clock above sofa", "picture next_to door"}),
+    ],
+)
+def test_front_is_not_said_of_what_has_a_place_of_its_own(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
