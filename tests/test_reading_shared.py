@@ -397,3 +397,34 @@ def test_what_is_between_them_is_in_none(prompt: str, relation: str) -> None:
 )
 def test_front_is_not_said_of_what_has_a_place_of_its_own(prompt: str, relations: set[str]) -> None:
     assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "relation"),
+    [
+        (
+            "A bed, two nightstands, each with a lamp and a phone only on the right one; a rug.",
+            {"table_lamp": 2, "phone": 1, "rug": 1},
+            "phone on nightstand",
+        ),
+        (
+            "Two desks with a lamp each, and a phone on the one by the window.",
+            {"desk_lamp": 2, "phone": 1},
+            "phone on desk",
+        ),
+        (
+            "Three shelves with two boxes each, and a vase on the last one.",
+            {"box": 6, "vase": 1},
+            "vase on shelving_unit",
+        ),
+        (
+            "Two of the four desks have a monitor, the others only a lamp; all four have a chair.",
+            {"monitor": 2, "desk_lamp": 2, "chair": 4},
+            "desk_lamp on desk-2 each",
+        ),
+    ],
+)
+def test_what_one_has_is_not_what_each_has(prompt: str, counts: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert counts.items() <= things.items()
+    assert relation in relations

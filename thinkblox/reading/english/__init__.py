@@ -38,6 +38,7 @@ from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
@@ -146,6 +147,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_apposed,
         with_place_settings,
         with_things_between,
+        with_ones_apart,
         with_wholes,
         with_goals,
         with_tasks,

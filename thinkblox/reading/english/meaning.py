@@ -342,11 +342,13 @@ class Meanings:
         """Read "on the left one", "on the third", "on two of them"."""
         if not self._lies_on_one_of(where, subjects) and (wall := self._other_wall(where, said)) is not None:
             return wall
-        found = self.name.some_of(said, besides=subjects)
+        kind, name = self._kind(where.word), subjects[-1].noun if subjects else noun
+        others = [t for t in self.referents.draft.things if kind in _APART and t.many and not fits(t, kind, name)]
+        found = self.name.some_of(said, besides=[*subjects, *others]) or self.name.some_of(said, besides=subjects)
         if found is None:
             return None
-        self.anchor, self.place = (self._kind(where.word), found), None
-        meaning = self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+        self.anchor, self.place = (kind, found), None
+        meaning = self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
         single = bool(subjects) and subjects[-1].count == 1
         meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")
         return meaning

@@ -59,8 +59,18 @@ class Pronouns(Numbers):
         if self._are_people(noun):
             self._spend(noun)
             self._begin()
+        elif every := self._all_counted(noun):
+            self._resume(every, noun)
+            self.each = True
         else:
             self._resume(self._they(), noun)
+
+    def _all_counted(self, noun: Noun) -> list[Mention]:
+        """All of several of which some were told apart: "two of the four desks ..., all four have a chair"."""
+        if noun.det != "all" or not noun.count:
+            return []
+        families = (self.referents.family(thing) for thing in reversed(self.draft.things))
+        return next((f for f in families if len(f) > 1 and sum(t.count or 1 for t in f) == noun.count), [])
 
     def _are_people(self, noun: Noun) -> bool:
         """Whether "they" are those whom the room is for, each of whom has something small, and who share something."""
