@@ -428,3 +428,24 @@ def test_what_one_has_is_not_what_each_has(prompt: str, counts: dict[str, int], 
     things, relations = told(prompt)
     assert counts.items() <= things.items()
     assert relation in relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A bed and two nightstands. A phone on the right nightstand.",
+            {"nightstand right_of bed", "nightstand-2 left_of bed", "phone on nightstand"},
+        ),
+        (
+            "A sofa, two side tables, a lamp on the left side table.",
+            {"side_table left_of sofa", "side_table-2 right_of sofa", "table_lamp on side_table"},
+        ),
+        (
+            "A bed, two nightstands by the window. A phone on the left one.",
+            {"nightstand next_to window", "nightstand-2 next_to window", "phone on nightstand"},
+        ),
+    ],
+)
+def test_left_one_is_at_the_left_of_what_such_things_flank(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
