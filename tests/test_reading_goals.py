@@ -71,3 +71,15 @@ def test_orders_to_the_furnisher_are_kept(prompt: str, relation: str) -> None:
 )
 def test_goal_tells_where_things_are_now(prompt: str, relations: set[str]) -> None:
     assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("The robot stands in the middle. A desk is by the door.", {"robot in_centre centre", "desk next_to door"}),
+        ("The robot is next to the desk and has to pick up the cup on the bed.", {"robot next_to desk", "cup on bed"}),
+        ("The robot stands by the window. On its left is a desk.", {"robot next_to window", "desk left_of robot"}),
+    ],
+)
+def test_robot_that_stands_somewhere_is_there(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations

@@ -713,3 +713,9 @@ def test_every_second_of_all_though_some_were_told_apart(tables: str) -> None:
     brief = read_brief(f"A cafe with {tables}. A vase on every second table.")
     assert _counts(brief)["vase"] == 3
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("said", ["One of the desks has a lamp.", "One of them stands by the window.", ""])
+def test_the_chairs_are_those_of_all_desks(said: str) -> None:
+    brief = read_brief(f"An office with three desks. {said} The chairs are red.")
+    assert _counts(brief)["chair"] == 3

@@ -682,11 +682,12 @@ def _staff(draft: Draft) -> None:
         tables = [(t, usual) for t, usual in tables if usual[1] and not _is_sat_at(draft, t)]
         served = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun)]
         tables = served or [(t, usual) for t, usual in tables if _is_stool(seat) and not _is_bar(t)]
-        if len(tables) == 1:
+        if len({(table.noun, table.seats) for table, _ in tables}) == 1:
             table, (kind, _, each) = tables[0]
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = (_benches(table.seats) if table.seats and _is_bench(seat) else table.seats) or each
-            draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+            alike = tuple(other for other, _ in tables)
+            draft.bonds.append(Bond(kind, seat, alike, each=table.many or len(alike) > 1, asked=False))
 
 
 def _one_on_each(draft: Draft) -> None:

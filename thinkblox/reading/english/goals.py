@@ -25,7 +25,7 @@ def with_goals(chunks: Sequence[Chunk]) -> list[Chunk]:
     while at < len(chunks):
         length = _goal(chunks, at)
         if not length:
-            made.append(chunks[at])
+            made.append(_there(chunks, at))
             at += 1
             continue
         who = chunks[at]
@@ -38,12 +38,23 @@ def with_goals(chunks: Sequence[Chunk]) -> list[Chunk]:
     return made
 
 
+def _there(chunks: Sequence[Chunk], at: int) -> Chunk:
+    """A robot of which it is told where it stands, as a thing of the room; any other chunk as it is."""
+    who, stands, link = (*chunks[at : at + 3], None, None)[:3]
+    assert who is not None
+    robot = isinstance(who, Noun) and who.kind == "people" and who.word in grammar().lists["robots"]
+    placed = is_link(stands, "verbs", "be", "stand") and isinstance(link, Connector) and is_spatial(link)
+    return replace(who, kind="thing", value=who.word) if robot and placed and isinstance(who, Noun) else who
+
+
 def _goal(chunks: Sequence[Chunk], at: int) -> int:
     """How many chunks say that a goal comes, with its verb: "the robot must put", "task: move"; 0 where none does."""
     who = chunks[at]
-    if not isinstance(who, Noun) or (at and is_link(chunks[at - 1], "prepositions")):
+    again = is_link(who, "joins", "and") and _is_of_robot(chunks[:at])
+    if not (again or isinstance(who, Noun)) or (at and is_link(chunks[at - 1], "prepositions")):
         return 0
-    robot, goal = who.word in grammar().lists["robots"], who.word in grammar().lists["goals"]
+    robot = again or (isinstance(who, Noun) and who.word in grammar().lists["robots"])
+    goal = isinstance(who, Noun) and who.word in grammar().lists["goals"]
     if robot and _does(chunks, at + 1):
         return 2
     end = at + 1
@@ -52,6 +63,13 @@ def _goal(chunks: Sequence[Chunk], at: int) -> int:
             return 0
         end += 1
     return end - at + 1 if at + 1 < end < len(chunks) and _is_act(chunks[end]) else 0
+
+
+def _is_of_robot(before: Sequence[Chunk]) -> bool:
+    """Whether a sentence begins with a robot: "the robot is by the door and must put ..."."""
+    ends = (n for n in range(len(before) - 1, -1, -1) if is_link(before[n], "mark", *_ENDS))
+    first = next(iter(before[next(ends, -1) + 1 :]), None)
+    return isinstance(first, Noun) and first.word in grammar().lists["robots"]
 
 
 def _does(chunks: Sequence[Chunk], at: int) -> bool:
