@@ -691,6 +691,7 @@ def test_people_at_several_tables_are_shared_out(prompt: str, seats: int) -> Non
         "Each has a monitor. They share a printer on a cabinet by the window.",
         "Each of them has a monitor, and they share a printer that stands on a cabinet.",
         "Each has a monitor, and a cabinet with a printer on it stands by the door.",
+        "Each has a desk and a monitor, and they share a printer on a cabinet by the door.",
     ],
 )
 def test_what_people_share_is_apart_from_what_each_has(said: str) -> None:
@@ -719,3 +720,10 @@ def test_every_second_of_all_though_some_were_told_apart(tables: str) -> None:
 def test_the_chairs_are_those_of_all_desks(said: str) -> None:
     brief = read_brief(f"An office with three desks. {said} The chairs are red.")
     assert _counts(brief)["chair"] == 3
+
+
+@pytest.mark.parametrize("rest", ["each of the others", "every one of the others"])
+def test_each_of_the_others_has_one(rest: str) -> None:
+    brief = read_brief(f"A gallery with six pedestals, a vase on every second one and a bust on {rest}.")
+    assert (_counts(brief)["vase"], _counts(brief)["bust"]) == (3, 3)
+    assert brief.unknown == ()

@@ -219,7 +219,8 @@ class Meanings:
             found = self.referents.of_two(said.value, subjects)
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
-            return self._other(kind, subjects)
+            rest = self._other(kind, subjects)
+            return replace(rest, each=rest.each or said.shared) if rest is not None else None
         return self._them(where, said, subjects, likely, noun)
 
     def _each_of_two(self, kind: str, found: Mention) -> Meaning:

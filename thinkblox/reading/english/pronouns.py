@@ -7,7 +7,6 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
-from thinkblox.reading.english.referents import is_small
 
 _PAIR = 2
 _EVERYTHING = "everything"
@@ -73,9 +72,9 @@ class Pronouns(Numbers):
         return next((f for f in families if len(f) > 1 and sum(t.count or 1 for t in f) == noun.count), [])
 
     def _are_people(self, noun: Noun) -> bool:
-        """Whether "they" are those whom the room is for, each of whom has something small, and who share something."""
+        """Whether "they" are those whom the room is for, and who share something."""
         shared = noun.text.lower() == "they" and self._is_link(self.peek(), "verbs", "share")
-        return shared and self.draft.people > 0 and all(is_small(thing) for thing in self._they())
+        return shared and self.draft.people > 0
 
     def _they(self) -> list[Mention]:
         """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""
