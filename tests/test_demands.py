@@ -97,7 +97,7 @@ WHOLE = {
         depth=6.0,
     ),
     "office": brief(
-        request("desk"),
+        request("desk", states=("empty",)),
         request("office_chair"),
         request("armchair", 2),
         relation("facing", "desk", "door"),
@@ -128,6 +128,10 @@ def test_all_as_asked(name: str) -> None:
 SHORT = {
     "attribute": (brief(request("bathtub", unshown=("clawfoot",))), "not shown: clawfoot bathtub"),
     "state": (brief(request("dishwasher", states=("open",))), "noted, not shown: open dishwasher"),
+    "carrying": (
+        brief(request("desk", states=("empty",)), request("cup"), relation("on", "cup", "desk")),
+        "noted, not shown: empty desk",
+    ),
     "unknown": (brief(request("table"), unknown=("sprocketed",)), "not understood: sprocketed"),
     "missing": (brief(request("table"), missing=("two dragons",)), "not made: two dragons"),
     "size": (brief(request("table", size=(None, 30.0, None))), "table: "),

@@ -57,3 +57,24 @@ def test_what_is_taken_back_is_not_made() -> None:
 )
 def test_one_thing_for_all_that_is_told(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "A sock lies in the drawer of the dresser opposite the bed.",
+            {"sock": 1, "dresser": 1, "bed": 1},
+            {"sock inside dresser", "dresser opposite bed"},
+        ),
+        (
+            "The drawer of the dresser, which stands opposite the bed, is open.",
+            {"dresser": 1, "bed": 1},
+            {"dresser opposite bed"},
+        ),
+        ("Two keys hang on a hook of the coat rack.", {"key": 2, "coat_rack": 1}, {"key on coat_rack"}),
+        ("The lid of the box on the desk is open.", {"box": 1, "desk": 1}, {"box on desk"}),
+    ],
+)
+def test_part_stands_for_the_thing(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -470,6 +470,8 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("A fridge with magnets on it.", "stuck to it"),
         ("A fridge, a stove and a sink along the wall with the sink in the middle.", "the sink in the middle"),
         ("Twelve chairs arranged in a semicircle facing the piano.", "in a semicircle"),
+        ("Ten easels in a semicircle around a platform.", "in a semicircle"),
+        ("Six chairs in a half circle around the stove.", "in a half circle"),
         ("Two lamps at 45 degrees to the backdrop.", "45 degrees"),
         ("Ten bookcases forming three aisles.", "forming three aisles"),
         ("A table saw and a drill press arranged in a triangle.", "in a triangle"),

@@ -201,3 +201,10 @@ def test_what_is_left_out_before_what_is_denied_is_said_again(prompt: str, denie
     brief = read_brief(prompt, fill="named")
     assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.negated] == [denied]
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("who", ["the teacher", "him", "the visitors"])
+def test_what_is_behind_somebody_is_behind_nothing(who: str) -> None:
+    brief = read_brief(f"A study with a desk, a chair behind it and a bookcase behind {who}.")
+    assert brief.unknown == (f"behind {who}",)
+    assert [r.category for r in brief.requests if r.asked] == ["executive_desk", "chair", "bookcase"]

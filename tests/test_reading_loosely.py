@@ -19,6 +19,11 @@ def _of(brief: Brief, category: str) -> Request:
         ("An office with a desk. Keep the desk clear.", "desk"),
         ("An office with a desk. The desk is clear.", "desk"),
         ("A library with three shelving units. Leave the last one empty.", "shelving_unit"),
+        ("An office with a desk. There is nothing on the desk.", "desk"),
+        ("A kitchen with a table and two stools by the window. Nothing on the table.", "kitchen_table"),
+        ("A desk with nothing on it and a chair.", "desk"),
+        ("A shelf, nothing on it.", "shelving_unit"),
+        ("The table has nothing on it.", "dining_table"),
     ],
 )
 def test_a_thing_that_is_left_empty_empties_no_room(prompt: str, category: str) -> None:
@@ -27,6 +32,13 @@ def test_a_thing_that_is_left_empty_empties_no_room(prompt: str, category: str) 
     assert "filled" not in _of(brief, category).attributes
     assert not brief.empty
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("said", ["The desk is clear.", "Nothing on the desk.", "The desk has nothing on it."])
+def test_nothing_is_assumed_on_what_is_to_be_clear(said: str) -> None:
+    asked, unsaid = (read_brief(f"An office with a desk. {more}") for more in ("", said))
+    assert "monitor" in {request.category for request in asked.requests}
+    assert {request.category for request in unsaid.requests} == {"desk", "office_chair"}
 
 
 def test_the_middle_of_a_room_is_still_left_clear() -> None:

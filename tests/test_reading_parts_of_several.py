@@ -34,6 +34,18 @@ def test_verbs_after_some_of_them(prompt: str, relations: set[str]) -> None:
     assert told(prompt) == relations
 
 
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("Next to the old plant stands a lamp.", {"1 floor_lamp next_to plant"}),
+        ("In front of the white backdrop stands a stool.", {"1 stool in_front_of backdrop"}),
+        ("Two vases are on the plant stands.", {"2 vase on plant_stand"}),
+    ],
+)
+def test_stands_after_what_is_named_in_front(prompt: str, relations: set[str]) -> None:
+    assert told(prompt) == relations
+
+
 def test_goal_speaks_of_what_is_there() -> None:
     brief = read_brief(
         "On the desk: 4 cubes (2 green, 2 yellow), a tray and a bin. "

@@ -37,3 +37,17 @@ def test_long_one_is_the_table_that_is_long() -> None:
     assert not brief.unknown
     assert brief.request("vase").count == 10
     assert ("book", "on", ("dining_table-2",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "carrier"),
+    [
+        ("A sink cabinet against the wall and a mirror above the sink.", "sink_cabinet"),
+        ("A bathroom with a vanity unit and a mirror above the sink.", "vanity"),
+        ("A washbasin cabinet by the door and a mirror above the basin.", "sink_cabinet"),
+    ],
+)
+def test_sink_of_what_has_one_is_no_other(prompt: str, carrier: str) -> None:
+    brief = read_brief(prompt)
+    assert [request.category for request in brief.requests if request.asked] == [carrier, "mirror"]
+    assert ("mirror", "above", (carrier,)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}

@@ -670,3 +670,60 @@ def test_a_car_hangs_on_no_wall() -> None:
     assert ("against_wall", "car", ("left_wall",)) in _ties(brief)
     assert ("on", "wall_bicycle", ("left_wall",)) in _ties(brief)
     assert "wall-mounted" not in brief.request("car").attributes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seats"),
+    [
+        ("A classroom for eight pupils at four desks.", 8),
+        ("A cafe for six people at two tables.", 6),
+        ("A room that seats twelve around an oval table.", 12),
+    ],
+)
+def test_people_at_several_tables_are_shared_out(prompt: str, seats: int) -> None:
+    requests = read_brief(prompt).requests
+    assert sum(request.count for request in requests if request.category == "chair") == seats
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Each has a monitor. They share a printer on a cabinet by the window.",
+        "Each of them has a monitor, and they share a printer that stands on a cabinet.",
+        "Each has a monitor, and a cabinet with a printer on it stands by the door.",
+        "Each has a desk and a monitor, and they share a printer on a cabinet by the door.",
+    ],
+)
+def test_what_people_share_is_apart_from_what_each_has(said: str) -> None:
+    brief = read_brief(f"An office for two people. {said}")
+    counts = {request.category: request.count for request in brief.requests}
+    assert brief.unknown == ()
+    assert (counts["monitor"], counts["printer"], counts["cabinet"], counts["desk"]) == (2, 1, 1, 2)
+    assert all(relation.subject != "monitor" for relation in brief.relations if relation.asked)
+
+
+@pytest.mark.parametrize(
+    "tables",
+    [
+        "Six tables",
+        "Six tables, four of them with two chairs, the other two with three",
+        "Six tables, two of them round",
+    ],
+)
+def test_every_second_of_all_though_some_were_told_apart(tables: str) -> None:
+    brief = read_brief(f"A cafe with {tables}. A vase on every second table.")
+    assert _counts(brief)["vase"] == 3
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("said", ["One of the desks has a lamp.", "One of them stands by the window.", ""])
+def test_the_chairs_are_those_of_all_desks(said: str) -> None:
+    brief = read_brief(f"An office with three desks. {said} The chairs are red.")
+    assert _counts(brief)["chair"] == 3
+
+
+@pytest.mark.parametrize("rest", ["each of the others", "every one of the others"])
+def test_each_of_the_others_has_one(rest: str) -> None:
+    brief = read_brief(f"A gallery with six pedestals, a vase on every second one and a bust on {rest}.")
+    assert (_counts(brief)["vase"], _counts(brief)["bust"]) == (3, 3)
+    assert brief.unknown == ()

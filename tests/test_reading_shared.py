@@ -362,3 +362,90 @@ def test_what_was_told_of_them_stays_when_they_are_counted() -> None:
 )
 def test_which_of_them_is_meant(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bookcase and a cabinet with a lamp between them.", "floor_lamp between bookcase cabinet"),
+        ("A desk and a bed stand by the window, with a lamp between them.", "desk_lamp between desk bed"),
+        ("Two armchairs by the window, with a side table between them.", "side_table between armchair"),
+        ("Two armchairs by the fireplace, with a side table between them.", "side_table between armchair"),
+        (
+            "Two beds along the left wall with a ladder each, four lockers along the right wall, a table between them.",
+            "dining_table between bed locker",
+        ),
+    ],
+)
+def test_what_is_between_them_is_in_none(prompt: str, relation: str) -> None:
+    assert relation in told(prompt)[1]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "Over the workbench a pegboard, tires stacked in the back corner, and a bike by the door.",
+            {"pegboard above workbench", "tires in_corner far_wall", "bicycle next_to door"},
+        ),
+        (
+            "On the left wall a shelf, and a lamp hanging from the ceiling.",
+            {"wall_shelf on left_wall", "pendant_lamp on ceiling"},
+        ),
+        ("Above the sofa a clock and a picture hanging by the door.", {"clock above sofa", "picture next_to door"}),
+    ],
+)
+def test_front_is_not_said_of_what_has_a_place_of_its_own(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "relation"),
+    [
+        (
+            "A bed, two nightstands, each with a lamp and a phone only on the right one; a rug.",
+            {"table_lamp": 2, "phone": 1, "rug": 1},
+            "phone on nightstand",
+        ),
+        (
+            "Two desks with a lamp each, and a phone on the one by the window.",
+            {"desk_lamp": 2, "phone": 1},
+            "phone on desk",
+        ),
+        (
+            "Three shelves with two boxes each, and a vase on the last one.",
+            {"box": 6, "vase": 1},
+            "vase on shelving_unit",
+        ),
+        (
+            "Two of the four desks have a monitor, the others only a lamp; all four have a chair.",
+            {"monitor": 2, "desk_lamp": 2, "chair": 4},
+            "desk_lamp on desk-2 each",
+        ),
+    ],
+)
+def test_what_one_has_is_not_what_each_has(prompt: str, counts: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert counts.items() <= things.items()
+    assert relation in relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A bed and two nightstands. A phone on the right nightstand.",
+            {"nightstand right_of bed", "nightstand-2 left_of bed", "phone on nightstand"},
+        ),
+        (
+            "A sofa, two side tables, a lamp on the left side table.",
+            {"side_table left_of sofa", "side_table-2 right_of sofa", "table_lamp on side_table"},
+        ),
+        (
+            "A bed, two nightstands by the window. A phone on the left one.",
+            {"nightstand next_to window", "nightstand-2 next_to window", "phone on nightstand"},
+        ),
+    ],
+)
+def test_left_one_is_at_the_left_of_what_such_things_flank(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations

@@ -25,6 +25,9 @@ ROOM_SLACK = 0.05
 """The same for the sides of a room [m]."""
 AREA_SHARE = 0.03
 """The same for a room's floor, as a share."""
+_EMPTY = "empty"
+_TOPS = ("tables", "desks", "counters", "worktops", "beds", "seats")
+"""What carries things on top and has nothing inside that would not show."""
 _AXES = ("deep", "wide", "high")
 
 
@@ -76,8 +79,19 @@ def _of_request(scene: Scene, request: Request, placed: Sequence[Placement]) -> 
         yield Demand(kind="attribute", subject=noun, wanted=word, holds=False, measured=says)
     for state in request.states:
         shown = bool(assets) and all(shows_state(asset, state) for asset in assets)
+        shown = _is_bare(scene, placed) and shown | _has_top(request) if state == _EMPTY else shown
         says = "that is how it is shown" if shown else "noted, not shown"
         yield Demand(kind="state", subject=noun, wanted=state, holds=shown, measured=says)
+
+
+def _has_top(request: Request) -> bool:
+    """Whether all that it can have on it is seen there."""
+    return load_habits().is_in(request.category, *_TOPS)
+
+
+def _is_bare(scene: Scene, placed: Sequence[Placement]) -> bool:
+    """Whether there are some of a thing, and nothing rests on any."""
+    return bool(placed) and {p.id for p in placed}.isdisjoint(p.support for p in scene.placements)
 
 
 def _count(request: Request, noun: str, count: int) -> Demand:

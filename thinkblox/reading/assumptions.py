@@ -51,6 +51,8 @@ _MANY, _MOST_WALLS = 4, 3
 """So many along the walls stand at several, and at how many at most: one has the door."""
 _FAR_WORDS = 5
 """So many words further on a place is still that of a thing."""
+_WORKED_ON = ("worked_at", "tables", "counters", "worktops")
+"""What people may work at together."""
 _SINGLE, _LOCKER = "single", "locker"
 _TILL = "cash_register"
 _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
@@ -84,7 +86,16 @@ def assume(draft: Draft, fill: Fill) -> None:
         _one_on_each(draft)
         _ring_up(draft)
         _lay_out_goods(draft, sold)
+        _clear(draft)
         _carry(draft, seated=True)
+
+
+def _clear(draft: Draft) -> None:
+    """Nothing lies unasked on what is to be empty."""
+    empty = [t for t in draft.things if "empty" in t.states]
+    for thing in [t for t in draft.things if not t.asked and empty]:
+        if any(b.kind in ("on", "inside") and set(b.anchors) & set(empty) for b in draft.bonds_of(thing)):
+            draft.drop(thing)
 
 
 def _shape_by_run(draft: Draft) -> None:
@@ -681,11 +692,12 @@ def _staff(draft: Draft) -> None:
         tables = [(t, usual) for t, usual in tables if usual[1] and not _is_sat_at(draft, t)]
         served = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun)]
         tables = served or [(t, usual) for t, usual in tables if _is_stool(seat) and not _is_bar(t)]
-        if len(tables) == 1:
+        if len({(table.noun, table.seats) for table, _ in tables}) == 1:
             table, (kind, _, each) = tables[0]
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = (_benches(table.seats) if table.seats and _is_bench(seat) else table.seats) or each
-            draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+            alike = tuple(other for other, _ in tables)
+            draft.bonds.append(Bond(kind, seat, alike, each=table.many or len(alike) > 1, asked=False))
 
 
 def _one_on_each(draft: Draft) -> None:
@@ -836,7 +848,7 @@ def _carry(draft: Draft, *, seated: bool) -> None:
         if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
-                own = thing.noun == room_type(draft.room).place
+                own = thing.noun == room_type(draft.room).place or _is_ones_work(draft, thing, noun)
                 carrier, drawn = _add(draft, noun, (thing.count or 1) if own else 1), usual_seat(noun)
                 worked_at = seated and load_habits().is_in(noun, "worked_at")
                 if drawn is not None and worked_at and not _has(draft, "drawn_aside"):
@@ -868,7 +880,14 @@ def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
     high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
     first = next((a for habit in habits.of(thing.noun) if habit.kind == "on" for a in habit.anchors), "")
     own = carrier.many and habits.is_in(carrier.noun, "worked_at") and habits.is_in(first, "storage")
+    if _is_ones_work(draft, thing, first) and not habits.is_in(carrier.noun, *_WORKED_ON):
+        return False
     return not (high and _has(draft, "beds")) and not (own and thing.count == 1 and _is_sat_at(draft, carrier))
+
+
+def _is_ones_work(draft: Draft, thing: Mention, place: str) -> bool:
+    """Whether each of the people of a room has one of what lies where one works: two monitors, in an office for two."""
+    return draft.people > 1 and thing.count == draft.people and load_habits().is_in(place, "worked_at")
 
 
 def _build_in(draft: Draft) -> None:

@@ -27,6 +27,7 @@ from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.goals import with_goals
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
@@ -37,8 +38,10 @@ from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
@@ -49,7 +52,8 @@ from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
-from thinkblox.reading.english.tasks import with_goals, with_tasks
+from thinkblox.reading.english.tasks import with_tasks
+from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -143,6 +147,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_keyed,
         with_apposed,
         with_place_settings,
+        with_things_between,
+        with_ones_apart,
+        with_wholes,
         with_goals,
         with_tasks,
         with_rough,

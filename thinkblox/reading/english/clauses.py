@@ -472,7 +472,8 @@ class Clauses(Audit):
                     return False
                 if chunk.sort in ("inverses", "participles") and chunk.value not in ("stand", "hang"):
                     return False
-                if chunk.sort == "prepositions" and chunk.value == "with" and not self.predicate:
+                told = self.predicate or (self.verb == "have" and self.separator == "comma_and")
+                if chunk.sort == "prepositions" and chunk.value == "with" and not told:
                     return False
             elif isinstance(chunk, (Measured, Stray)):
                 return False

@@ -10,6 +10,8 @@ from thinkblox.reading.english.said import is_link
 _EMPTY = "empty"
 _BARE = "bare"
 """What walls are on which nothing hangs."""
+_MOST = 2
+"""Most chunks before "nothing" in "a desk with nothing on it", "there is nothing on the desk"."""
 _LEAVING = ("leave", "keep", "leaving", "keeping")
 
 _REST = frozenset(("rest", "remaining"))
@@ -20,7 +22,9 @@ def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     at = 0
     while at < len(made):
-        if _is_left(made, at) and isinstance(noun := made[at + 1], Noun):
+        if length := _nothing_on(made, at):
+            made[at : at + length] = _emptied(made, at, length)
+        elif _is_left(made, at) and isinstance(noun := made[at + 1], Noun):
             made[at : at + 3] = _said(noun, made[at], made[at + 2])
         elif _is_clear(made, at) and _holds_only(made, at):
             told = at > 0 and is_link(made[at - 1], "verbs", "be")
@@ -37,6 +41,47 @@ def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
             made[at : at + 3] = _said(noun, noun, made[at + 2])
         at += 1
     return made
+
+
+def _nothing_on(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks say that a thing has nothing on it, which is not "nothing but a vase"; 0 where none do."""
+    end = at
+    while end - at < _MOST and end < len(chunks) and not _is_nothing(chunks[end]):
+        end += 1
+    where, ends = (*chunks[end + 1 : end + 3], None, None)[:2], end + 3
+    after = chunks[ends] if ends < len(chunks) else None
+    none = end < len(chunks) and _is_nothing(chunks[end])
+    on = none and is_link(where[0], "prepositions", "on", "on_top", "in")
+    if not on or not isinstance(noun := where[1], Noun) or not _ends(after):
+        return 0
+    lead, its = chunks[at:end], noun.value in ("it", "them") or (noun.kind == "part" and noun.value == "top")
+    if len(lead) == _MOST and its and isinstance(lead[0], Noun) and lead[0].kind in ("thing", "number"):
+        having = is_link(lead[1], "prepositions", "with") or is_link(lead[1], "verbs", "have")
+        return ends - at if having or is_link(lead[1], "mark", "comma") else 0
+    begins = not at or is_link(chunks[at - 1], "mark", "stop", "semicolon")
+    there = not lead or (len(lead) == 1 and is_link(lead[0], "verbs", "be"))
+    return ends - at if begins and there and (_is_whole(noun) or noun.value == "it") else 0
+
+
+def _is_nothing(chunk: Chunk) -> bool:
+    """Whether it is "nothing", rather than "nothing else"."""
+    return isinstance(chunk, Connector) and chunk.sort == "negations" and chunk.text.lower() == "nothing"
+
+
+def _ends(after: Chunk | None) -> bool:
+    """Whether no exception comes, and nothing that tells where."""
+    return after is None or is_link(after, "mark") or is_link(after, "joins", "and")
+
+
+def _emptied(chunks: Sequence[Chunk], at: int, length: int) -> list[Chunk]:
+    """What is said to have nothing on it, said to be empty."""
+    first, last = chunks[at], chunks[at + length - 1]
+    assert isinstance(last, Noun)
+    if isinstance(first, Noun) and first is not last:
+        rest = Connector("fillers", "words", first.end, last.end, "nothing on it")
+        return [replace(first, states=[*first.states, _EMPTY]), rest]
+    be = Connector("verbs", "be", last.end, last.end, "is")
+    return [replace(last, start=first.start), be, Adjective(last.end, last.end, _EMPTY, states=[_EMPTY])]
 
 
 def _is_left(chunks: Sequence[Chunk], at: int) -> bool:

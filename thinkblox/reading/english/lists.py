@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node
 from thinkblox.reading.english.referents import FURNITURE, is_furniture
 from thinkblox.reading.english.ties import Ties
@@ -211,7 +211,7 @@ class Memberships(Ties):
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
                 continue
-            if listed and self._is_told_next() and not front.meaning.each:
+            if listed and self._is_told_where() and not front.meaning.each:
                 continue
             joined = front.kind in _FOR_JOINED and self.separator in ("and", "comma")
             if listed and front.kind not in _FOR_ALL and not joined:
@@ -221,6 +221,11 @@ class Memberships(Ties):
                 self._lose_where(front.where)
             front.used = True
             self._relate(things, meaning, negated=front.where.negated)
+
+    def _is_told_where(self) -> bool:
+        """Whether its own words say where a thing is: "a bike by the door", "tires stacked in the corner"."""
+        lies = self._is_link(self.peek(), "participles", "stand", "hang") or isinstance(self.peek(), Adjective)
+        return self._is_told_next() or (lies and self._is_link(self.peek(1), "prepositions"))
 
     def _stands_apart(self, thing: Mention) -> bool:
         """Whether it is furniture, or else stands on the floor or hangs, rather than lying with what is listed."""

@@ -221,7 +221,8 @@ class Meanings:
             found = self.referents.of_two(said.value, subjects)
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
-            return self._other(kind, subjects)
+            rest = self._other(kind, subjects)
+            return replace(rest, each=rest.each or said.shared) if rest is not None else None
         return self._them(where, said, subjects, likely, noun)
 
     def _each_of_two(self, kind: str, found: Mention) -> Meaning:
@@ -284,7 +285,7 @@ class Meanings:
         """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""
         last = likely[0] if likely else None
         things = self.referents.draft.things
-        before = things[things.index(last) - 1] if last in things[1:] else None
+        before = self._beside_room(things[: things.index(last)]) if last in things[1:] else None
         few = last is not None and last.many and (last.count or _SEVERAL) < _SEVERAL
         if last is None or before is None or not before.asked:
             return ()
@@ -294,6 +295,11 @@ class Meanings:
         walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
         opposite = any(b.kind in ("opposite", "facing") and before in b.anchors for b in where)
         return (before, last) if walls or opposite else ()
+
+    def _beside_room(self, things: list[Mention]) -> Mention | None:
+        """The last of some things that is not merely another's, as the ladders of beds are."""
+        bonds = ((thing, self.referents.draft.bonds_of(thing)) for thing in reversed(things))
+        return next((t for t, own in bonds if not own or any(_at_place(bond) for bond in own)), None)
 
     def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
         name = subjects[-1].noun if subjects else noun
@@ -339,11 +345,13 @@ class Meanings:
         """Read "on the left one", "on the third", "on two of them"."""
         if not self._lies_on_one_of(where, subjects) and (wall := self._other_wall(where, said)) is not None:
             return wall
-        found = self.name.some_of(said, besides=subjects)
+        kind, name = self._kind(where.word), subjects[-1].noun if subjects else noun
+        others = [t for t in self.referents.draft.things if kind in _APART and t.many and not fits(t, kind, name)]
+        found = self.name.some_of(said, besides=[*subjects, *others]) or self.name.some_of(said, besides=subjects)
         if found is None:
             return None
-        self.anchor, self.place = (self._kind(where.word), found), None
-        meaning = self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+        self.anchor, self.place = (kind, found), None
+        meaning = self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
         single = bool(subjects) and subjects[-1].count == 1
         meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")
         return meaning

@@ -389,13 +389,21 @@ class PhraseReader(Heads):
         verb = at + known.length - 1
         single = noun.count == 1 or (noun.count is None and noun.det in ("a", "each", "another"))
         again = noun.count is None and noun.det in ("the", "my")
-        again &= self._is_said_before(at, verb) or self._is_whole_clause(noun.start, verb)
+        before = self._is_said_before(at, verb) or self._is_whole_clause(noun.start, verb)
+        again &= before or self._is_fronted(noun.start, verb)
         joined = noun.count is None and not noun.det and self._is_joined_to_one(noun.start, verb)
         if not (single or again or joined) or grammar().at(self.tokens, verb, "verbs") is None:
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")
         return Known(entry, shorter.length) if entry is not None else known
+
+    def _is_fronted(self, start: int, verb: int) -> bool:
+        """Whether something new is said to be where a preposition says: "next to the plant | stands a lamp"."""
+        ahead = range(max(start - _NAMES, 0), start)
+        links = ((at, grammar().at(self.tokens, at, "prepositions")) for at in ahead)
+        led = any(link is not None and at + link.length == start for at, link in links)
+        return led and grammar().at(self.tokens, verb + 1, "determiners", "count") is not None
 
     def _is_joined_to_one(self, start: int, verb: int) -> bool:
         """Whether it ends the subject of a clause: "A cart with a monitor and keyboard | stands by the door."."""

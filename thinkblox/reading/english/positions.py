@@ -1,5 +1,6 @@
 """Where things are: prepositions with what they are to."""
 
+import math
 from dataclasses import replace
 from itertools import takewhile
 
@@ -393,7 +394,7 @@ class Positions(Subjects):
         return True
 
     def _seats_people(self, where: Where) -> bool:
-        """Take the table of "a room that seats twelve around an oval table" for one of that many places."""
+        """Share the people of "a room that seats twelve around an oval table", "eight pupils at four desks" out."""
         noun, said = where.noun, self.chunks[self._began - 1] if self._began else None
         people = isinstance(said, Noun) and said.kind in ("people", "number") and self.draft.people > 0
         if not people or where.word not in ("around", "at") or noun is None or noun.kind != "thing":
@@ -401,7 +402,7 @@ class Positions(Subjects):
         if noun.definite or self.draft.things or self.front:
             return False
         table = self._new(noun)
-        table.seats = table.seats or self.draft.people
+        table.seats = table.seats or math.ceil(self.draft.people / (table.count or 1))
         self._take(table, noun)
         return True
 
@@ -490,7 +491,7 @@ class Positions(Subjects):
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
         noun, whole = where.noun, where.whole
-        several = noun is not None and noun.kind == "people" and noun.of_known
+        several = noun is not None and noun.kind == "people" and (noun.of_known or self._is_to_somebody(where, noun))
         if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
             self._lose(where.start, whole.end)
         elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
@@ -501,6 +502,10 @@ class Positions(Subjects):
             self.separator = ""
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
+
+    def _is_to_somebody(self, where: Where, noun: Noun) -> bool:
+        """Whether something is said to stand behind or beside those who are in a room, who are none of its things."""
+        return where.word in _SIDEWARD and (noun.definite or not noun.det) and not noun.each
 
     def _is_telling(self, noun: Noun) -> bool:
         """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""

@@ -36,7 +36,7 @@ class Pronouns(Numbers):
                 if self.frontier and not self._is_on_one():
                     self.frontier[0].each = self.each = True
             case "them":
-                self._resume(self._they(), noun)
+                self._them_of(noun)
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
                 self.each = True
@@ -52,6 +52,29 @@ class Pronouns(Numbers):
         carried = self._is_link(self.peek(verb), "prepositions", "on", "on_top", "in")
         one = noun is not None and noun.kind == "thing" and noun.det == "a" and not noun.many
         return carried and one and not (isinstance(after, Noun) and after.value == "each")
+
+    def _them_of(self, noun: Noun) -> None:
+        """Speak of several; of nothing where "they" are people."""
+        if self._are_people(noun):
+            self._spend(noun)
+            self._begin()
+        elif every := self._all_counted(noun):
+            self._resume(every, noun)
+            self.each = True
+        else:
+            self._resume(self._they(), noun)
+
+    def _all_counted(self, noun: Noun) -> list[Mention]:
+        """All of several of which some were told apart: "two of the four desks ..., all four have a chair"."""
+        if noun.det != "all" or not noun.count:
+            return []
+        families = (self.referents.family(thing) for thing in reversed(self.draft.things))
+        return next((f for f in families if len(f) > 1 and sum(t.count or 1 for t in f) == noun.count), [])
+
+    def _are_people(self, noun: Noun) -> bool:
+        """Whether "they" are those whom the room is for, and who share something."""
+        shared = noun.text.lower() == "they" and self._is_link(self.peek(), "verbs", "share")
+        return shared and self.draft.people > 0
 
     def _they(self) -> list[Mention]:
         """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""

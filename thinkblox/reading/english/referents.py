@@ -83,6 +83,8 @@ class Referents:
         looks = set(noun.attributes)
         said = [t for t in recent if looks <= with_general(t.attributes)] if looks else recent
         meant = {sense.category for sense in senses_of(noun.value)} if noun.value.startswith("any_") else ()
+        basin = noun.value if noun.det == "the" and load_habits().is_in(noun.value, "built_in") else ""
+        has_it = {sense.category for sense in senses_of(basin)} if basin else ()
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
@@ -90,6 +92,7 @@ class Referents:
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
             lambda t: noun.det == "the" and not noun.unshown and stand_in(t.noun).like == noun.value,
+            lambda t: any(are_alike(t.noun, category) for category in has_it),
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if not t.many and last_word(t) == word] if lone else []

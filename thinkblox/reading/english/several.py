@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import degree_of
-from thinkblox.reading.attach import relation_kind
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.attach import bind, relation_kind
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.boundaries import Boundaries
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
@@ -277,10 +277,20 @@ class Several(Boundaries):
         if not other or (whole.count or 1) > (part.count or 1):
             return
         self.sides[whole] = other
+        self._put_at_usual(part, whole)
         for thing, where in ((part, side), (whole, other)):
             for bond in self.draft.bonds_of(thing):
                 if bond.kind == "next_to" and bond.anchors and isinstance(bond.anchors[0], Mention):
                     bond.kind = relation_kind(f"{where}_of")
+
+    def _put_at_usual(self, *two: Mention) -> None:
+        """Say of two things, of which nothing says where they are, that they are beside what such things flank."""
+        tie = self.habits.tie
+        flanked = [t for t in self.draft.things if t.asked and tie(two[0].noun, t.noun) == "next_to" and t not in two]
+        if any(self.draft.bonds_of(thing) for thing in two) or len(flanked) != 1 or flanked[0].many:
+            return
+        for thing in two:
+            bind(self.draft, Bond("next_to", thing, (flanked[0],)))
 
     def _set_walls(self, part: Mention, whole: Mention, side: str) -> None:
         """Of what stands on several walls the left ones stand on the left wall, the others on those that remain."""
@@ -316,4 +326,10 @@ class Several(Boundaries):
         if noun.counted:
             self.each_of = noun.every
             return [whole]
-        return [self.referents.part(whole, max(1, whole.count // noun.every))]
+        found: list[Mention] = []
+        passed = 0
+        for thing in self.referents.family(whole):
+            count = (passed + (thing.count or 1)) // noun.every - passed // noun.every
+            passed += thing.count or 1
+            found += [self.referents.part(thing, count)] if count else []
+        return found or [self.referents.part(whole, 1)]

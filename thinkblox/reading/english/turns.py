@@ -55,7 +55,7 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
             return found.length if link is None or link.length <= found.length else 0
         if found.value == "clause":
             return _until(tokens, at, sentence=False)
-        if begins and (found.value != "remake" or (after is not None and at > 0)):
+        if begins and not _is_goal(tokens, at) and (found.value != "remake" or (after is not None and at > 0)):
             return _until(tokens, at, sentence=_is_new_sentence(tokens, at))
     if tokens[at].text in grammar().lists["turned"] and (at + 1 == len(tokens) or tokens[at + 1].kind == "mark"):
         return 1
@@ -77,6 +77,11 @@ def _is_place_of_it(tokens: Sequence[Token], start: int, end: int) -> bool:
         return False
     reached = tokens[end - 1].text in _IT and grammar().at(tokens, end - 2, "prepositions") is None
     return tokens[start + 1].text in _IT or reached
+
+
+def _is_goal(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is told what somebody is to do: "Task: move the box"."""
+    return at > 1 and tokens[at - 1].text == ":" and tokens[at - 2].text in grammar().lists["goals"]
 
 
 def _is_filler(tokens: Sequence[Token], at: int, length: int) -> bool:
