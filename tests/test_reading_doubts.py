@@ -24,7 +24,7 @@ from thinkblox.reading import read_brief
         ("An island; on it a cutting board with a loaf of bread, left of it two tomatoes.",
          ["2 tomato left_of cutting_board"]),
         # What a pronoun means is weighed: what can bear the relation, how lately it was named, and as what.
-        ("A sink, a bath and a counter with a sponge, a stove and a kettle on it.", ["1 kettle on counter"]),
+        ("A sink, a bath and a counter with a sponge, a stove and a kettle on it.", ["1 kettle on base_cabinet"]),
         ("A counter, a mannequin beside the counter, a spool rack above it.", ["1 shelving_unit above counter"]),
         ("A laboratory with two workbenches, a washbasin between the benches and a first aid kit above it.",
          ["1 first_aid_kit above washbasin"]),
