@@ -86,3 +86,20 @@ def test_a_table_is_one_to_eat_at_where_people_eat_or_sit(prompt: str, kind: str
 def test_what_stands_on_the_floor_is_beside_what_carries_a_thing() -> None:
     _, relations = told("A sewing room with a sewing machine on a table, and a dress form next to it.")
     assert "dress_form next_to table" in relations
+
+
+def test_what_is_turned_away_and_toward_faces_both_as_said() -> None:
+    _, relations = told("A living room where the sofa faces away from the window and toward the fireplace.")
+    assert relations == {"sofa facing_away window", "sofa facing fireplace"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A kitchen with six pots.", "cooking_pot"),
+        ("A kitchen with a pot of basil by the window.", "potted_plant"),
+        ("A living room with six pots.", "potted_plant"),
+    ],
+)
+def test_pots_of_a_kitchen_are_to_cook_in(prompt: str, kind: str) -> None:
+    assert kind in {r.category for r in read_brief(prompt).requests if r.asked}

@@ -17,6 +17,8 @@ _USING = ("use", "using", "choose", "take", "pick")
 _BLOCKING = ("block", "obstruct", "blocking", "obstructing")
 _FOR = 3
 """How many chunks after "use" it is said what for."""
+_TURNED = 3
+"""How many chunks before "toward" it is said what a thing faces away from."""
 _LEANING = ("leans", "lean", "leaning")
 
 
@@ -61,12 +63,26 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
             made += [Connector("verbs", "leave", chunk.start, chunk.start, "keep"), chunks[at + 2]]
             made.append(Adjective(chunks[at + 1].start, chunks[at + 1].end, "free", states=["free"]))
             at += 2
-        elif isinstance(chunk, Connector) and _is_leant_on(chunks, at):
-            made.append(replace(chunk, value="next_to"))
+        elif isinstance(chunk, Connector) and (where := _where_meant(chunk, chunks, at)):
+            made.append(replace(chunk, value=where))
         else:
             made.append(chunk)
         at += 1
     return made
+
+
+def _where_meant(link: Connector, chunks: Sequence[Chunk], at: int) -> str:
+    """What a preposition stands for after what was said before it; empty where it is what it is."""
+    return "next_to" if _is_leant_on(chunks, at) else "facing" if _is_turned_to(link, chunks, at) else ""
+
+
+def _is_turned_to(link: Connector, chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether it goes on with how a thing is turned: "(faces away from the window and) toward the fireplace"."""
+    if at < _TURNED or link.text.lower() not in ("toward", "towards") or not is_link(chunks[at - 1], "joins"):
+        return False
+    return is_link(chunks[at - _TURNED], "verbs", "face", "face_away") or is_link(
+        chunks[at - _TURNED], "prepositions", "facing", "facing_away"
+    )
 
 
 def _without_past(chunks: Sequence[Chunk]) -> list[Chunk]:
