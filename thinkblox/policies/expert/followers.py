@@ -233,9 +233,13 @@ def _over_heads(situation: Situation, rects: Rects) -> Array:
     if not situation.asset.surfaces:
         return costs
     above = {anchor for tie in situation.target.ties if tie.kind == "above" for anchor in tie.anchors}
-    under = Rects(rects.centre, rects.half + LEANS_OUT, rects.yaw, np.zeros(len(rects)), rects.bottom)
+    around, before = (
+        Rects(rects.centre, rects.half + out, rects.yaw, np.zeros(len(rects)), rects.bottom)
+        for out in (LEANS_OUT, (LEANS_OUT, 0.0))
+    )
     for p in situation.solid:
         facts = facts_of(p.category)
+        under = before if facts.is_in("clear_above") else around  # Who cooks leans over the hob, not aside.
         grows = facts.is_in("plants") & (rects.bottom - p.top < UNDER_LEAVES)
         below = facts.is_in(*_HEADS) and not facts.is_in("drawn_aside")
         if p.id not in above and (p.position[2] < ON_FLOOR or facts.is_in("built_in")):
