@@ -36,6 +36,7 @@ from thinkblox.editing.work import Work
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
@@ -80,7 +81,7 @@ def spots_for(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
 def _straight_back(scene: Scene, asset: Asset, before: Placement) -> Iterator[Pose]:
     """At the wall behind its back, turned as it is."""
     for wall in scene.room.walls if asset.front == "one" else ():
-        if abs((wall.yaw - before.yaw + 180.0) % 360.0 - 180.0) < 1.0:
+        if turn_between(wall.yaw, before.yaw) < 1.0:
             x, y = wall.point(wall.coordinates(before.position[:2])[0], BACK[0] + asset.size[0] / 2)
             yield (round(x, 4), round(y, 4), before.position[2]), wall.yaw
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clause import ENDS
+from thinkblox.editing.reading.clause import ENDS, is_count
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -50,9 +50,7 @@ def _another_at(tokens: Sequence[Token], at: int) -> int:
     words = [token.text for token in tokens[at : at + 4]]
     if words[:2] == ["another", "one"] or words[:2] == ["one", "more"]:
         length = 2
-    elif (
-        words[:1] == ["one"] and at and (tokens[at - 1].text in ("add", "buy", "get") or _goes_on_counting(tokens, at))
-    ):
+    elif words[:1] == ["one"] and (_is_added(tokens, at) or _goes_on_counting(tokens, at)):
         length = 1
     elif words[:1] == ["a"] and words[1:2] and words[1] in _SECOND and words[2:3] == ["one"]:
         length = 3
@@ -78,8 +76,7 @@ def _goes_on_counting(tokens: Sequence[Token], at: int) -> bool:
     """Whether it counts on from what goes somewhere else: "(put) two cups on the desk and one (on the shelf)"."""
     begin = next((n for n in reversed(range(at)) if _verb(tokens, n)), at)
     before = [token.text for token in tokens[begin:at]]
-    counted = any(token.kind == "number" or grammar().at(tokens, n, "count") is not None
-                  for n, token in enumerate(tokens[begin + 1 : begin + 3], begin + 1))  # fmt: skip
+    counted = any(is_count(tokens, n) for n in (begin + 1, begin + 2))
     each = next((n for n in range(at, min(at + 4, len(tokens))) if tokens[n].text in ("each", "either")), None)
     shared = "one" in before or (each is not None and grammar().at(tokens, each + 1, "parts") is not None)
     return before[-1:] == ["and"] and counted and not shared and bool(_PLACES & {*before})

@@ -41,8 +41,9 @@ def one_here_one_there(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]
 
 def _shared(lexicon: Lexicon, said: Sequence[Token], *, known: bool) -> list[Token]:
     """The things with the place of each; none where the words do not share out as many as there are."""
-    whole = _count(said, int(known)) if not known or said[0].text != "both" else 2
-    counted = int(known and said[0].text != "both")
+    both = known and said[0].text == "both"
+    counted = int(known and not both)
+    whole = 2 if both else _count(said, counted)
     heads = (n for n in range(counted + 1, counted + 1 + MOST_LOOKS) if n < len(said))
     head = next(((n, found.length) for n in heads if (found := lexicon.longest(list(said), n)).entry("object")), None)
     if whole < 2 or head is None:

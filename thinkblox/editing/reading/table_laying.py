@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
-from thinkblox.editing.reading.clause import ENDS
+from thinkblox.editing.reading.clause import ENDS, is_count
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token, tokenise
 
@@ -37,7 +37,7 @@ def with_settings(tokens: Sequence[Token]) -> list[Token]:
 
 def _for_many(tokens: Sequence[Token], at: int) -> tuple[int, int, list[Token], Token] | None:
     """Where "set the table for six with" begins and ends, the table that it names and the number; None elsewhere."""
-    if tokens[at].text != "for" or at + 2 >= len(tokens) or not _is_count(tokens, at + 1):
+    if tokens[at].text != "for" or at + 2 >= len(tokens) or not is_count(tokens, at + 1):
         return None
     after = at + 3 if grammar().knows(tokens[at + 2].text, "people") else at + 2
     if after >= len(tokens) or tokens[after].text != "with" or not 0 < at <= 8:
@@ -49,10 +49,6 @@ def _for_many(tokens: Sequence[Token], at: int) -> tuple[int, int, list[Token], 
         return None
     table = table if table[0].text in ("the", "my", "our", "it", "every", "each") else [*tokenise("the"), *table]
     return verb or 0, after + 1, [replace(token, start=-1) for token in table], tokens[at + 1]
-
-
-def _is_count(tokens: Sequence[Token], at: int) -> bool:
-    return tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
 
 
 def _added(said: Sequence[Token], table: Sequence[Token], count: Token) -> list[Token]:
@@ -67,7 +63,7 @@ def _added(said: Sequence[Token], table: Sequence[Token], count: Token) -> list[
             items[-1].append(token)
     orders: list[Token] = []
     for link, item in ((link, item) for link, item in zip(links, items, strict=True) if item):
-        counted = item[0].text in _NEW or _is_count(item, 0)
+        counted = item[0].text in _NEW or is_count(item, 0)
         if not counted and singular(item[-1].text) == item[-1].text and not _places(item):
             return []
         where = _places(item)
