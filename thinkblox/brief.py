@@ -174,7 +174,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     Attributes:
         room_type: "bedroom", "classroom", ...; "room" when the prompt does not say.
         shape: of the floor.
-        width, depth: of the floor [m], where the prompt gives both.
+        width, depth: of the floor [m], where the prompt gives them; the other side is open where it gives one.
         area: of the floor [m2], where the prompt gives that.
         height: of the room [m], where the prompt gives it.
         people: how many the room is said to be for; 0 where that is not said.

@@ -161,6 +161,9 @@ def _of_room(room: Room, brief: Brief) -> Iterator[Demand]:
     if brief.width is not None and brief.depth is not None:
         fits = _near(sorted((x, y)), sorted((brief.width, brief.depth)))
         yield _room(f"{brief.width:g} m by {brief.depth:g} m", fits, f"{x:g} m by {y:g} m")
+    elif (side := brief.width or brief.depth) is not None:
+        fits = any(_near([of_room], [side]) for of_room in (x, y))
+        yield _room(f"{side:g} m on one side", fits, f"{x:g} m by {y:g} m")
     elif brief.area is not None:
         fits = abs(area - brief.area) <= AREA_SHARE * brief.area
         yield _room(f"{brief.area:g} m2", fits, f"{area:.2f} m2")

@@ -58,7 +58,11 @@ def is_open(brief: Brief) -> bool:
 
 
 def larger(brief: Brief, room: Room, factor: float) -> Brief:
-    """The brief for a room of the same proportions with `factor` times the floor of `room`."""
+    """The brief for a room of the same proportions with `factor` times the floor of `room`; a side that it gives stays."""
+    if brief.width is not None or brief.depth is not None:
+        sides = zip((brief.width, brief.depth), room.extent, strict=True)
+        width, depth = (given or min(MAX_SIDE, round(side * factor, 1)) for given, side in sides)
+        return replace(brief, width=width, depth=depth)
     width, depth = (min(MAX_SIDE, round(side * math.sqrt(factor), 1)) for side in room.extent)
     return replace(brief, width=width, depth=depth)
 
@@ -81,10 +85,16 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     digits = 2 if brief.area is not None else 1
     kind = room_type(brief.room_type)
     if (side := kind.across) is not None:
+        if (given := brief.width or brief.depth) is not None:
+            other = round(float(rng.uniform(*side)), 1) if given > side[1] else round(max(given, area / given), 1)
+            return (given, other) if brief.width is not None else (other, given)
         narrow = round(float(rng.uniform(*side)), digits)
         run = run_length(brief) / 2 + _TO_RUN
         long = area / narrow if brief.area is not None or (kind.run == "sides" and area > run * narrow) else run
         return round(min(MAX_SIDE, max(narrow, long)), digits), narrow
+    if (given := brief.width or brief.depth) is not None:
+        other = round(min(MAX_SIDE, max(_LEAST_SIDE, _NOT_NARROWER * given, area / given)), 1)
+        return (given, other) if brief.width is not None else (other, given)
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
     width = round(min(MAX_SIDE, area / depth), digits)
     if kind.entrance is not None and speaks_of_sides(brief):

@@ -226,6 +226,8 @@ def pull_up(draft: Draft) -> None:
         elif bond.kind in ("next_to", "near", "at") and habits.is_served_on(bond.subject.noun, anchor.noun):
             bond.kind = "on"
         elif bond.kind == "in_front_of" and seen:
+            if bond.each and not bond.subject.per:
+                bond.subject.per, bond.each = [anchor], False
             bond.anchors = (bond.subject,)
             draft.hand_over(bond, anchor)
 

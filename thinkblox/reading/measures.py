@@ -34,6 +34,8 @@ def object_size(category: str, size: Size | None) -> Measures:
     long = named.get("length")
     if load_habits().is_in(category, "lengthwise"):
         depth, long = long or depth, None
+    elif long and "width" in named and "depth" not in named:
+        depth, named["width"] = named["width"], long
     return (
         named.get("depth") or across or depth,
         named.get("width") or across or long or width,

@@ -1,6 +1,7 @@
 """Puts the stages of reading together: items, grammar, senses, counts, assumptions, and a Brief of them."""
 
 import math
+from collections.abc import Mapping
 from typing import Literal, get_args
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
@@ -331,20 +332,37 @@ def _openings(gaps: list[Gap]) -> tuple[OpeningRequest, ...]:
 
 
 def _room_size(sizes: list[Size]) -> tuple[float | None, float | None, float | None, float | None]:
-    """Width, depth, area and height that the prompt gives [m, m2]; the first of each kind counts."""
+    """Width, depth, area and height that the prompt gives [m, m2]; the first of each kind counts.
+
+    Two sides that are told apart ("5 m long, ... 1.5 m wide") are both; one alone without a direction is of a square.
+    """
     width = depth = area = height = None
+    lone: dict[str, float] = {}
     for size in sizes:
         if size.area is not None:
             area = area or check_area(size.area, size.text)
             continue
         height = height or _height(size)
-        sides = [length.metres for length in size.lengths if length.axis != "height"][:2]
-        checked = [check_side(side, size.text) for side in sides]
+        sides = [length for length in size.lengths if length.axis != "height"][:2]
+        checked = [check_side(length.metres, size.text) for length in sides]
         if len(checked) == 2 and width is None:
             width, depth = checked
+        elif len(checked) == 1 and sides[0].axis:
+            lone.setdefault(sides[0].axis, checked[0])
         elif len(checked) == 1 and width is None and area is None:
             area = check_area(checked[0] ** 2, size.text)
+    if width is None and lone:
+        width, depth = _of_lone(lone)
     return width, depth, area, height
+
+
+def _of_lone(lone: Mapping[str, float]) -> tuple[float | None, float | None]:
+    """Width and depth of sides that were named one by one; what is long lies along the width."""
+    across = lone.get("width") or lone.get("diameter")
+    along = lone.get("length")
+    if along is not None:
+        return along, lone.get("depth") or across
+    return across, lone.get("depth")
 
 
 def _height(size: Size) -> float | None:

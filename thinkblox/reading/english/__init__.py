@@ -25,6 +25,7 @@ from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.doings import with_doings
+from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.goals import with_goals
@@ -43,6 +44,7 @@ from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
+from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
@@ -122,6 +124,9 @@ _ARE = ("theyre", "youre")
 _SHARED = ("theyd", "theyll", "theyve")
 """What says after a thing whom it is for: "the wardrobe they'd share"."""
 
+_BY_UNITS = ("mx", "cmx", "ftx")
+"""Units with the "x" of "3mx4m"."""
+
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
@@ -136,7 +141,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _AND_HALF.sub(lambda match: _and_half(match[1].lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(_spelt_out(lexicon.tokens(text))))))))
+    tokens = with_plain_sizes(lexicon, _spelt_out(lexicon.tokens(text)))
+    tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(tokens))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
@@ -147,6 +153,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_keyed,
         with_apposed,
         with_place_settings,
+        with_persons_places,
         with_things_between,
         with_ones_apart,
         with_wholes,
@@ -203,6 +210,10 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
             first, rest = token.shown[:head], token.shown[head:]
             whole.append(Token(token.text[:head], first, "word", start=token.start))
             whole.append(Token(verb, rest, "word", start=token.start + head))
+        elif token.text in _BY_UNITS and at and slashed[at - 1].kind == "number":
+            unit = token.text[:-1]
+            whole.append(Token(unit, token.shown[:-1], "word", start=token.start))
+            whole.append(Token("x", token.shown[-1:], "word", start=token.start + len(unit)))
         elif token.text in _SHARED and at and slashed[at - 1].kind == "word":
             head = len("they")
             whole.append(Token("they", token.shown[:head], "word", start=token.start))

@@ -98,10 +98,10 @@ class Antecedents:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
         close = bool(others) and best.score - others[0].score < by["margin"]
-        under = self._carrier(best.thing, others[0].thing) if close and kind in _BESIDE else None
+        screen = load_habits().is_in(best.thing.noun, "screens")
+        under = self._carrier(best, others) if (close or screen) and kind in ("", *_BESIDE) else None
         if under is not None and noun in load_habits().known() and not facts_of(noun).is_in("small"):
-            # What stands on the floor beside a thing stands beside what that lies on.
-            best = next(c for c in ranked if c.thing is under)
+            best = under  # What stands on the floor beside a thing stands beside what that lies on.
         elif close:
             self.unclear.append(OpenReference(*where, best.thing, others[0].thing))
             best = next(c for c in ranked if c.thing is found) if others[0].thing is found else best
@@ -109,10 +109,13 @@ class Antecedents:
             self.pointed[where[0]] = best.thing
         return best.thing
 
-    def _carrier(self, *two: Mention) -> Mention | None:
-        """Which of two things the other lies on."""
-        on = {b.subject: b.anchors for t in two for b in self._draft.bonds_of(t) if b.kind == "on" and not b.negated}
-        return next((t for t in two for s in two if s is not t and t in on.get(s, ())), None)
+    def _carrier(self, best: Antecedent, others: Sequence[Antecedent]) -> Antecedent | None:
+        """Which of them the best lies on; itself where another one lies on it and comes near."""
+        bonds = (b for c in (best, *others) for b in self._draft.bonds_of(c.thing) if b.kind == "on" and not b.negated)
+        laid = {b.subject: b.anchors for b in bonds}
+        if others and best.thing in laid.get(others[0].thing, ()):
+            return best
+        return next((c for c in others if c.thing in laid.get(best.thing, ())), None)
 
     def _is_owner(self, thing: Mention, start: int) -> bool:
         """Whether the words before `start` tell what a thing has: "a table with two books on it"."""

@@ -5,6 +5,7 @@ from functools import cached_property, lru_cache
 
 from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
+from thinkblox.reading.english.dimensions import led_size
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import begins_two_walls, two_walls_at
@@ -142,6 +143,8 @@ class Cutter:
             return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Connector("prepositions", "with", self.at, self.at + 2, "w/")
+        if (led := led_size(self.lexicon, self.tokens, self.at)) is not None:
+            return Measured(led[0], self.at, led[1])
         about = grammar().at(self.tokens, self.at, "quantifiers")
         if about is not None:
             found = self._phrases.size_at(self.at + about.length)

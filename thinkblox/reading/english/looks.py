@@ -6,6 +6,7 @@ from itertools import pairwise
 from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.rooms import Rooms
@@ -211,7 +212,7 @@ class Descriptions(Rooms):
         if (
             isinstance(before, Connector)
             and before.sort in ("mark", "fillers")
-            and before.value in ("open", "comma")
+            and before.value in ("open", "comma", "colon")
             and self.at >= 3
         ):
             before = self.chunks[self.at - 3]
@@ -222,11 +223,13 @@ class Descriptions(Rooms):
         roomy = not single and size.area is None and min(length.metres for length in size.lengths) > _ROOMY
         size = self._squared(size, before, following)
         single &= size is measured.size
-        thing = self.frontier[-1].thing if self.frontier else None
-        ceiling = isinstance(following, Noun) and following.value == "ceiling"
+        thing = self.frontier[-1].thing if self.frontier else self._labelled(before)
+        ceiling = "ceiling" in size.text.lower() or (isinstance(following, Noun) and following.value == "ceiling")
+        own = thing is not None and self._is_own(before)
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
         roomy |= self._outgrows(measured, thing)
-        if roomy and not self.draft.sizes and not told:
+        told |= own
+        if (roomy and not self.draft.sizes and not told) or (ceiling and size.along("height")):
             self.draft.sizes.append(size)
         elif self._keeps_off(measured, following, told=told):
             pass
@@ -252,6 +255,20 @@ class Descriptions(Rooms):
             self.at += 1
         return replace(size, lengths=size.lengths * 2)
 
+    def _labelled(self, before: Chunk | None) -> Mention | None:
+        """The thing that a size follows after a colon: "Sofa: 2 m wide"."""
+        labelled = isinstance(before, Noun) and before.kind == "thing" and self._is_link(self._before(), "mark", "colon")
+        return self.draft.things[-1] if labelled and self.draft.things else None
+
+    def _is_own(self, before: Chunk | None) -> bool:
+        """Whether a size is said to be that of the thing before: "a table with dimensions of 2 m by 1.2 m"."""
+        if not isinstance(before, Noun) or not grammar().lists["measures_of_things"] & {before.word}:
+            return self._labelled(before) is not None or (
+                isinstance(before, Noun) and before.kind == "thing" and self._is_link(self._before(), "prepositions")
+            )
+        at = self.chunks.index(before)
+        return at > 0 and self._is_link(self.chunks[at - 1], "prepositions", "with") and self.separator != "comma"
+
     def _outgrows(self, measured: Measured, thing: Mention | None) -> bool:
         """Whether a size after a comma can be none of the thing before: "with a washing machine, 2 m by 2.5 m"."""
         lengths = [length.metres for length in measured.size.lengths]
@@ -264,6 +281,7 @@ class Descriptions(Rooms):
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
         """Whether a length says how far off something is: "2 m from it", "1 m apart", "nothing closer than 1 m"."""
         led = self._is_link(self._before(), "prepositions", "at") and not self._is_link(following, "prepositions")
+        led |= self._is_link(self._before(), "prepositions", "at") and measured.size.along("height") is not None
         led |= isinstance(self._before(), Stray)
         if led and len(measured.size.lengths) == 1 and measured.size.area is None:
             self._lose(measured.start, measured.end)

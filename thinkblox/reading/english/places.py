@@ -81,7 +81,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
         elif (said.count == 1 and text.startswith("one")) or "same" in text.split():
             name = "one_wall"
     if word in ("facing", "facing_away", "opposite", "far"):
-        return Meaning(word, (name,), times=several or 2 if each else 1, loose=each)
+        return Meaning(word, (name,), times=several or 2 if each else 1, loose=each or "opposite walls" in text)
     times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
     if each and name in ("left_wall", "right_wall"):
         name, times = "wall", 2

@@ -496,6 +496,8 @@ class Positions(Subjects):
             self._lose(where.start, whole.end)
         elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
             self._lose(where.start, noun.end)
+        elif noun is not None and noun.kind == "people" and noun.each and not self.draft.people:
+            self._lose(where.start, noun.end)
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
             self.clause = Listed(None, "list", times=self.draft.people, each=True)

@@ -155,7 +155,8 @@ class Rooms(Memberships):
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
             return False
-        if self.draft.room == "room" and not self.draft.things and self._is_link(self._before(), "verbs", "be"):
+        named = self._is_link(self._before(), "verbs", "be", "serve")
+        if self.draft.room == "room" and not self.draft.things and named:
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         listed = (

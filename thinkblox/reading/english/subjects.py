@@ -459,7 +459,9 @@ class Subjects(Having):
         any_kind |= on_thing and not self._is_furniture(thing)
         any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
         corner = where.noun is not None and where.noun.value.startswith("corner")
-        if (group is None or any_kind or corner) and (pair := self._pair(node, frame, where)) is not None:
+        two = len(frame.members[frame.begun :]) == _PAIR
+        rug = on_thing and two and where.noun is not None and self.habits.is_in(where.noun.value, "covers")
+        if (group is None or any_kind or corner or rug) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or hung or self._belongs(thing.noun, group)):
             return node
