@@ -449,3 +449,75 @@ def test_what_one_has_is_not_what_each_has(prompt: str, counts: dict[str, int], 
 )
 def test_left_one_is_at_the_left_of_what_such_things_flank(prompt: str, relations: set[str]) -> None:
     assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Eight desks. There is a lamp on half of the desks.",
+            {"desk": 4, "desk-2": 4, "desk_lamp": 4},
+            {"desk_lamp on desk each"},
+        ),
+        (
+            "Eight cots with a pillow on each and a teddy bear on half of them.",
+            {"crib": 4, "crib-2": 4, "pillow": 8, "teddy_bear": 4},
+            {"pillow on crib crib-2 each", "teddy_bear on crib each"},
+        ),
+        (
+            "Nine desks. There is a lamp on a third of the desks.",
+            {"desk": 3, "desk-2": 6, "desk_lamp": 3},
+            {"desk_lamp on desk each"},
+        ),
+        ("There is a lamp on half of the eight desks.", {"desk_lamp": 4, "desk": 4, "desk-2": 4}, set()),
+        (
+            "Five desks. Each desk has one chair next to it and a pencil, an eraser and a bottle on it.",
+            {"desk": 5, "chair": 5, "pencil": 5, "eraser": 5, "bottle": 5},
+            {"eraser on desk each", "bottle on desk each"},
+        ),
+        ("Each of the four desks has a chair.", {"desk": 4, "chair": 4}, {"chair at desk each"}),
+        (
+            "There are two shelves. One has books, the other vases.",
+            {"bookcase": 1, "shelving_unit": 1, "book": 3, "vase": 3},
+            {"book inside bookcase", "vase inside shelving_unit"},
+        ),
+        (
+            "There are two cupboards. One of them holds ten tins, the other one four teapots.",
+            {"cabinet": 1, "cabinet-2": 1, "tin_can": 10, "teapot": 4},
+            {"tin_can inside cabinet", "teapot inside cabinet-2"},
+        ),
+        (
+            "Stools instead of chairs, exactly four, all next to the big worktable.",
+            {"stool": 4, "dining_table": 1},
+            {"stool next_to dining_table"},
+        ),
+        (
+            "A barbershop with three chairs along one wall and a mirror in front of each customer.",
+            {"barber_chair": 3, "mirror": 3},
+            {"barber_chair in_front_of mirror"},
+        ),
+        (
+            "A ward with four beds and a drip stand for each patient.",
+            {"hospital_bed": 4, "drip_stand": 4},
+            {"drip_stand next_to hospital_bed each"},
+        ),
+        (
+            "A call centre with eight desks; every employee has a headset and a monitor.",
+            {"desk": 8, "headphones": 8, "monitor": 8},
+            {"monitor on desk each"},
+        ),
+        (
+            "A sofa and a coffee table on a rug.",
+            {"sofa": 1, "coffee_table": 1, "rug": 1},
+            {"rug under sofa", "rug under coffee_table"},
+        ),
+        (
+            "A kitchen with a toaster on the counter and a fridge to the left of it.",
+            {"toaster": 1, "base_cabinet": 1, "fridge": 1},
+            {"toaster on base_cabinet", "fridge left_of base_cabinet"},
+        ),
+    ],
+)
+def test_shares_and_what_each_has(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    counts, found = told(prompt)
+    assert (counts, relations - found) == (things, set())

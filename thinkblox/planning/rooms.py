@@ -58,7 +58,7 @@ def is_open(brief: Brief) -> bool:
 
 
 def larger(brief: Brief, room: Room, factor: float) -> Brief:
-    """The brief for a room of the same proportions with `factor` times the floor of `room`; a side that it gives stays."""
+    """The brief for a room with `factor` times the floor of `room`, in its proportions; a side that it gives stays."""
     if brief.width is not None or brief.depth is not None:
         sides = zip((brief.width, brief.depth), room.extent, strict=True)
         width, depth = (given or min(MAX_SIDE, round(side * factor, 1)) for given, side in sides)

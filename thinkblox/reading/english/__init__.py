@@ -24,12 +24,13 @@ from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.denied_places import with_denied_places
-from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.dimensions import with_plain_sizes
+from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.goals import with_goals
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.halves import with_halves
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
 from thinkblox.reading.english.kept_clear import with_kept_clear
@@ -160,6 +161,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_goals,
         with_tasks,
         with_rough,
+        with_halves,
         with_all_but,
         with_all_alike,
         with_holders,

@@ -1,6 +1,7 @@
 """What is said once more between commas of the thing named just before: "his stool, the only seat in there, ..."."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.said import is_link
@@ -19,6 +20,13 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
             made += [_filler(chunk) for chunk in chunks[at : at + length]]
             at += length
         elif _is_after_thing(chunks, at) and _is_one_with(chunks, at + 1):
+            at += 2
+        elif _is_counted_instead(made, chunks[at : at + 2]):
+            instead, number = made[-3], chunks[at + 1]
+            assert isinstance(instead, Noun)
+            assert isinstance(number, Noun)
+            made[-3] = replace(instead, count=number.count, least=number.least, most=number.most)
+            made += [_filler(chunk) for chunk in chunks[at : at + 2]]
             at += 2
         else:
             made.append(chunks[at])
@@ -49,6 +57,15 @@ def _is_one_with(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "the one with a castle" comes."""
     one, link = (*chunks[at : at + 2], None, None)[:2]
     return isinstance(one, Noun) and one.text.lower() == "the one" and is_link(link, "prepositions", "with")
+
+
+def _is_counted_instead(made: Sequence[Chunk], said: Sequence[Chunk]) -> bool:
+    """Whether a number tells how many there are in place of others: "stools instead of chairs, exactly four"."""
+    thing, link, other = (None, None, None, *made)[-3:]
+    several = isinstance(thing, Noun) and thing.kind == "thing" and thing.count is None and thing.plural
+    number = said[1] if len(said) > 1 and is_link(said[0], "mark", "comma") else None
+    told = isinstance(number, Noun) and number.kind == "number" and bool(number.count) and not number.of_known
+    return several and is_link(link, "prepositions", "instead") and isinstance(other, Noun) and told
 
 
 def _filler(chunk: Chunk) -> Connector:

@@ -78,11 +78,7 @@ class Audit(Doubts):
     def _find_each(self, thing: Mention) -> None:
         """Take "each nightstand" for as many as such a room has; where it has none, say that none was named."""
         noun = self.named_by.get(thing)
-        counted = (
-            noun is not None
-            and noun.count is not None
-            and not noun.text.lower().startswith(("each of the", "each of my"))
-        )
+        counted = noun is not None and noun.count is not None
         if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             usual = (usual.count for usual in room_type(self.draft.room).usual if usual.category == thing.noun)
             alike = [other for other in self.draft.things if other.noun == thing.noun]

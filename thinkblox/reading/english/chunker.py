@@ -143,22 +143,18 @@ class Cutter:
             return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Connector("prepositions", "with", self.at, self.at + 2, "w/")
+        return self._size() or self._words()
+
+    def _size(self) -> Measured | None:
+        """Read a size, with the side that is named before it, or "about"."""
         if (led := led_size(self.lexicon, self.tokens, self.at)) is not None:
             return Measured(led[0], self.at, led[1])
-        about = grammar().at(self.tokens, self.at, "quantifiers")
-        if about is not None:
-            found = self._phrases.size_at(self.at + about.length)
-            if found is not None:
-                return Measured(found[0], self.at, found[1])
-        if (
-            token.kind == "number"
-            or token.text in ("nan", "inf", "infinity")
-            or grammar().at(self.tokens, self.at, "count")
-        ):
+        token, about = self.tokens[self.at], grammar().at(self.tokens, self.at, "quantifiers")
+        counted = token.kind == "number" or token.text in ("nan", "inf", "infinity")
+        found = self._phrases.size_at(self.at + about.length) if about is not None else None
+        if found is None and (counted or grammar().at(self.tokens, self.at, "count")):
             found = self._phrases.size_at(self.at)
-            if found is not None:
-                return Measured(found[0], self.at, found[1])
-        return self._words()
+        return Measured(found[0], self.at, found[1]) if found is not None else None
 
     def _is_asked_where(self) -> bool:
         """Whether "On the bench?" is asked, which only says where what follows is."""
@@ -341,18 +337,16 @@ class Cutter:
     def _other_one(self, noun: Noun | None) -> Noun | None:
         """The pronoun of "one holds three mugs, the other five plates", where a verb is left out."""
         words = [self._text_at(self.at), self._text_at(self.at + 1)]
-        if words not in (["the", "other"], ["another", "one"]):
+        if noun is None or noun.kind != "thing" or (words != ["the", "other"] and words[0] != "another"):
             return noun
-        after = self.at + len(words)
-        counted = noun is not None and noun.kind == "thing" and noun.end > after
-        counted &= after < len(self.tokens) and self._is_count(after)
-        told = any(isinstance(chunk, Noun) and chunk.value == "one" for chunk in self.made)
-        if not counted or not told:
+        said = {chunk.value for chunk in self.made if isinstance(chunk, Noun)}
+        if "one" not in said or noun.value in said:
             return noun
-        if any(isinstance(chunk, Noun) and noun is not None and chunk.value == noun.value for chunk in self.made):
+        after = self.at + (1 if words[0] == "another" else 2)
+        after += self._text_at(after) == "one"
+        if after >= noun.end or not (noun.plural or self._is_count(after)):
             return noun
-        text = "another" if words[0] == "another" else "the other"
-        return Noun("pronoun", "other", self.at, after, text)
+        return Noun("pronoun", "other", self.at, after, "another" if words[0] == "another" else "the other")
 
     def _is_count(self, at: int) -> bool:
         """Whether a number comes."""

@@ -6,8 +6,8 @@ from itertools import pairwise
 from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
@@ -257,7 +257,9 @@ class Descriptions(Rooms):
 
     def _labelled(self, before: Chunk | None) -> Mention | None:
         """The thing that a size follows after a colon: "Sofa: 2 m wide"."""
-        labelled = isinstance(before, Noun) and before.kind == "thing" and self._is_link(self._before(), "mark", "colon")
+        labelled = (
+            isinstance(before, Noun) and before.kind == "thing" and self._is_link(self._before(), "mark", "colon")
+        )
         return self.draft.things[-1] if labelled and self.draft.things else None
 
     def _is_own(self, before: Chunk | None) -> bool:

@@ -35,7 +35,7 @@ def _place(person: Noun, before: Sequence[Chunk], *, owns: bool) -> Noun | None:
     several = [c for c in reversed(before) if isinstance(c, Noun) and c.kind == "thing" and c.many]
     if owns and any(_is(noun, "seats") or _is(noun, "chairs") for noun in several):
         return None  # Of what is told of seats so, whoever reads clauses makes one for each.
-    groups = ("beds",) if person.word in _LYING else ()
+    groups: tuple[str, ...] = ("beds",) if person.word in _LYING else ()
     groups += ("desks",) if owns else ("seats", "chairs", "desks")
     return next((noun for group in groups for noun in several if _is(noun, group)), None)
 

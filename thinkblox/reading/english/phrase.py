@@ -10,6 +10,8 @@ from thinkblox.reading.english.heads import Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
+_HOLDING = ("holds", "has", "contains", "carries", "bears", "stores", "houses", "displays")
+"""What one of several does, of which more is told: "one | holds books"."""
 _NAMES = 5
 """Most unknown words that one name has."""
 _ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
@@ -438,6 +440,8 @@ class PhraseReader(Heads):
         if text == "x" and not self.tokens[at].glued:
             return True
         if text in ("one", "ones") and (units.nouns or units.adjectives or noun.det):
+            return True
+        if text in _HOLDING and self._text(at - 1, at).lower() == "one" and not units.nouns:
             return True
         if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
             return True

@@ -491,12 +491,9 @@ class Positions(Subjects):
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
         noun, whole = where.noun, where.whole
-        several = noun is not None and noun.kind == "people" and (noun.of_known or self._is_to_somebody(where, noun))
         if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
             self._lose(where.start, whole.end)
-        elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
-            self._lose(where.start, noun.end)
-        elif noun is not None and noun.kind == "people" and noun.each and not self.draft.people:
+        elif noun is not None and self._is_not_kept(where, noun):
             self._lose(where.start, noun.end)
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
@@ -504,6 +501,13 @@ class Positions(Subjects):
             self.separator = ""
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
+
+    def _is_not_kept(self, where: Where, noun: Noun) -> bool:
+        """Whether it says where something is by people, or by what is no place, so that more is meant than is read."""
+        people = noun.kind == "people"
+        several = people and (noun.of_known or self._is_to_somebody(where, noun))
+        told = several or self._is_telling(noun) or where.word == "between"
+        return (bool(self.draft.things) and told) or (people and noun.each and not self.draft.people)
 
     def _is_to_somebody(self, where: Where, noun: Noun) -> bool:
         """Whether something is said to stand behind or beside those who are in a room, who are none of its things."""

@@ -117,8 +117,14 @@ class Ties(Relating):
 
     def _is_listed_for_each(self, frame: Listed, thing: Mention) -> bool:
         """Whether a list of what each has goes on with it: "each has six chairs, a power strip and a lamp"."""
-        listed = frame.each and not frame.closing and self.verb == "have" and self.separator == "comma"
-        return listed and not self.habits.is_in(thing.noun, *FURNITURE) and self._is_listed_on()
+        if not frame.each or (self.verb != "have" and frame.kind != "with") or self.separator != "comma":
+            return False
+        inner = frame.closing and frame.told and frame.joined == len(frame.members) - 1
+        if self.verb != "have" and not inner:
+            return False
+        if self.habits.is_in(thing.noun, *FURNITURE) or (frame.closing and not inner):
+            return False
+        return self._is_listed_on() or (inner and self._told_at_end() is not None)
 
     def _is_as_many(self, frame: Listed, thing: Mention) -> bool:
         """Whether there is one for each of several in all: "four desks, each with a laptop, and four chairs"."""
