@@ -51,7 +51,7 @@ def test_all_of_a_list_look_as_is_said_of_all(prompt: str, asked: str) -> None:
             "1 tissue_box near sofa, 1 tissue_box on side_table",
         ),
         ("A deli with a glass display case with four steaks inside.", "4 steak inside display_case"),
-        ("Two bunk beds. Between them under the window a desk.", "1 desk between bunk_bed, 1 desk next_to window"),
+        ("Two bunk beds. Between them under the window a desk.", "1 desk between bunk_bed, 1 desk under window"),
         (
             "A sofa. In front of it on a rug a coffee table.",
             "1 coffee_table in_front_of sofa, 1 rug under coffee_table",

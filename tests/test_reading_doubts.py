@@ -77,7 +77,7 @@ from thinkblox.reading import read_brief
          ["1 table_lamp on nightstand", "1 book on nightstand-2"]),
         ("A bathtub and a towel rail next to the shower.", ["1 towel_rail next_to shower_cabin"]),
         ("A sofa with a table on each side.", ["1 side_table left_of sofa", "1 side_table-2 right_of sofa"]),
-        ("Three windows and a desk under each of them.", ["3 desk next_to window"]),
+        ("Three windows and a desk under each of them.", ["3 desk under window"]),
         ("A plant by both windows.", ["2 plant next_to window"]),
         ("A sculpture on a pedestal in each corner.", ["4 sculpture on pedestal", "4 pedestal in_corner corner"]),
         # Sides and parts.

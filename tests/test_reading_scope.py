@@ -72,7 +72,7 @@ from thinkblox.reading import read_brief
         ("Two server racks with three servers in each.", "6 server inside server_rack"),
         (
             "A bench is under the window; it is of maple, and on it he keeps three chisels.",
-            "1 bench next_to window; 3 chisel on bench",
+            "1 bench under window; 3 chisel on bench",
         ),
         (
             "A cabinet in the corner holds four rocks, and far from it, next to the door, stands a coat rack.",

@@ -262,7 +262,7 @@ def test_a_number_has_both_bounds(prompt: str) -> None:
         (
             "Step 1: put the workbench under the window. Step 2: place a stool in front of the workbench.",
             {"workbench": 1, "stool": 1},
-            {"workbench next_to window", "stool in_front_of workbench"},
+            {"workbench under window", "stool in_front_of workbench"},
         ),
         (
             "sofa: against north wall, coffee table: in front of sofa, remote: on coffee table",

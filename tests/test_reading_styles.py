@@ -85,7 +85,7 @@ PROMPTS = {
     "There is a desk in front of the window, with a laptop and a cup of coffee on it. A bookshelf filled with "
     "books is to the right of the desk.": (
         "1 desk, 1 laptop, 1 cup, 1 bookcase",
-        "desk next_to window, laptop on desk, cup on desk, bookcase right_of desk",
+        "desk in_front_of window, laptop on desk, cup on desk, bookcase right_of desk",
         "",
     ),
     "Place a bed against the wall. Put two pillows on it. Put a nightstand to the left of the bed and a lamp on it.": (

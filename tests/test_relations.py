@@ -323,3 +323,22 @@ def test_rows_turn_with_their_room(x: float, y: float, yaw: float, angle: float)
         measure(scene, "in_rows", ids, (), rows=2).holds
         == measure(turned(scene, angle), "in_rows", ids, (), rows=2).holds
     )
+
+
+@pytest.mark.parametrize(
+    ("kind", "depth", "height", "x", "y", "holds"),
+    [
+        ("under", 0.6, 0.75, 5.6, 2.1, True),
+        ("under", 0.6, 0.75, 5.6, 3.2, False),  # More of it beside the window than below.
+        ("under", 0.6, 0.75, 4.6, 2.1, False),  # Away from the wall.
+        ("under", 0.6, 1.80, 5.6, 2.1, False),  # It hides the window.
+        ("in_front_of", 0.6, 1.80, 5.6, 2.1, True),
+        ("in_front_of", 0.6, 1.80, 5.2, 3.2, False),
+        ("in_front_of", 0.6, 0.75, 4.0, 2.1, False),
+    ],
+)
+def test_what_is_under_a_window_is_before_more_of_it_than_beside(
+    kind: RelationKind, depth: float, height: float, x: float, y: float, holds: bool
+) -> None:
+    scene = scene_of(thing("chest_1", (depth, 1.0, height), x, y, 180.0))
+    assert measure(scene, kind, "chest_1", ("window",)).holds is holds

@@ -165,8 +165,15 @@ _BEFORE, _BEHIND = _on_side(1, 0, NEAR), _on_side(-1, 0, NEAR)
 
 
 def _in_front_of(subject: Landmark, anchor: Landmark) -> Finding:
-    """Before its front; a desk has its visitors before it too, on the side to which one looks who works at it."""
+    """Before its front; a desk has its visitors before it too, on the side to which one looks who works at it.
+
+    What is in front of a window or door stands by it, and before more of it than beside.
+    """
     found = _BEFORE(subject, anchor)
+    if anchor.kind == "opening":
+        share, away = _along(subject, anchor), ground_gap(subject, anchor)
+        before = away <= NEXT_TO + ROUNDING and share >= UNDER_HALF
+        return found[0] and before, f"{found[1]}, {share:.0%} along it"
     if found[0] or anchor.gaze == anchor.yaw or subject.front == "any" or not facing(subject, anchor)[0]:
         return found
     visits, text = _BEHIND(subject, anchor)
@@ -264,6 +271,8 @@ def _nearly_above(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
+    if anchor.kind == "opening" and subject.base < CONTACT:
+        return _below_opening(subject, anchor)
     share = shared(subject, anchor)
     least = UNDER_SHARE if subject.top - subject.base <= FLAT or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
     lower = subject.base <= anchor.base + CONTACT and subject.top <= (
@@ -273,6 +282,14 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
     if not lower and anchor.kind == "opening":
         text = f"top of {subject.name} at {subject.top:.2f} m, sill of {anchor.name} at {anchor.base:.2f} m; {text}"
     return lower and share >= least, text
+
+
+def _below_opening(subject: Landmark, anchor: Landmark) -> Finding:
+    """At the wall of a window, before more of it than beside it, and no higher than its lower half."""
+    away, share = ground_gap(subject, anchor), _along(subject, anchor)
+    low = subject.top <= (anchor.base + anchor.top) / 2
+    text = f"{gap_text(subject, anchor)}, {share:.0%} along it, top at {subject.top:.2f} m"
+    return low and away <= NEXT_TO + ROUNDING and share >= UNDER_HALF, text
 
 
 def _along(subject: Landmark, anchor: Landmark) -> float:

@@ -54,7 +54,7 @@ def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | N
 
 def opening(word: str, name: str, several: int = 0) -> Meaning | None:
     """What stands so to a window or door, or to each of `several`."""
-    kind = _at_opening(word)
+    kind = word if word in ("under", "in_front_of") and name == "window" else _at_opening(word)
     meaning = Meaning(kind, (name,), times=max(several, 1), spread=several, loose=word == "between")
     return meaning if kind else None
 
