@@ -89,6 +89,8 @@ LOFT = thing("loft_bed", (1.0, 2.0, 1.5), (1.0, 2.0, 0.4))
         ("face_to", SOFA, thing("chair", (1.0, 3.5), yaw=90.0), False),
         ("face_to", SOFA, thing("stool", (3.0, 2.0), yaw=270.0, front="any"), True),
         ("face_to", SOFA, thing("table", (3.0, 2.0), yaw=270.0, front="two"), True),
+        ("face_to", SOFA, thing("desk", (3.0, 2.0), yaw=270.0, gaze="back"), True),
+        ("face_to", SOFA, thing("desk", (3.0, 2.0), yaw=90.0, gaze="back"), False),
         ("left_of", SOFA, thing("lamp", (4.5, 4.5)), True),
         ("left_of", SOFA, thing("lamp", (1.5, 4.5)), False),
         ("right_of", SOFA, thing("lamp", (1.5, 4.5)), True),

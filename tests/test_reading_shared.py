@@ -512,6 +512,16 @@ def test_left_one_is_at_the_left_of_what_such_things_flank(prompt: str, relation
             {"rug under sofa", "rug under coffee_table"},
         ),
         (
+            "Two sofas are against the wall with a painting above them.",
+            {"sofa": 2, "picture": 1},
+            {"picture above sofa"},
+        ),
+        (
+            "Eight desks. On half of them stands a lamp, on the others a vase.",
+            {"desk": 4, "desk-2": 4, "desk_lamp": 4, "vase": 4},
+            {"desk_lamp on desk each", "vase on desk-2 each"},
+        ),
+        (
             "A kitchen with a toaster on the counter and a fridge to the left of it.",
             {"toaster": 1, "base_cabinet": 1, "fridge": 1},
             {"toaster on base_cabinet", "fridge left_of base_cabinet"},

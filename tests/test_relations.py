@@ -342,3 +342,17 @@ def test_what_is_under_a_window_is_before_more_of_it_than_beside(
 ) -> None:
     scene = scene_of(thing("chest_1", (depth, 1.0, height), x, y, 180.0))
     assert measure(scene, kind, "chest_1", ("window",)).holds is holds
+
+
+def test_what_is_opposite_looks_about_at_the_middle_of_the_other() -> None:
+    across = thing("bench_1", (0.4, 1.2, 0.45), 0.2, 1.0)
+    for y, holds in ((1.0, True), (2.4, True), (3.2, False)):
+        scene = scene_of(across, thing("cabinet_1", (0.4, 1.0, 1.8), 2.2, y, 180.0))
+        assert measure(scene, "opposite", "cabinet_1", ("bench_1",)).holds is holds
+
+
+def test_nothing_of_what_must_not_be_under_a_thing_is_under_it() -> None:
+    bed, rug = thing("bed_1", BED, 1.02, 2.0), (2.0, 2.4, 0.01)
+    for x, free in ((3.1, True), (2.9, False)):
+        scene = scene_of(bed, thing("rug_1", rug, x, 2.0, front="two", collide=False))
+        assert measure(scene, "under", "rug_1", ("bed_1",), negated=True).holds is free

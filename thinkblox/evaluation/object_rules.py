@@ -80,7 +80,8 @@ def _across_from(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
 
 
 def _face_to(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
-    off = _deviation(subject, anchor)
+    """A desk faces what is before who sits at it, over its back."""
+    off = _one_way(subject, anchor, -1.0) if subject.asset.gaze == "back" else _deviation(subject, anchor)
     return Ruling(off <= FACING, f"front {off:.0f} degrees off")
 
 

@@ -59,6 +59,7 @@ class SeenAsset(msgspec.Struct, frozen=True):
     description: str = ""
     mount: str = "floor"
     front: str = "one"
+    gaze: str = "front"
     attributes: tuple[str, ...] = ()
 
 

@@ -260,7 +260,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         own = kind == "behind" and bool(free)
         there = [t for t in free if not own or (t.count or 1) <= (table.count or 1)]
         there = [t for t in there if _is_high_enough(t)] if _is_desk(table) else there
-        told = draft.excluded if own else (*draft.excluded, *counted)
+        told = (*draft.excluded, *counted)
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
         elif seated.get((table.noun, table.text), set()) - {table}:

@@ -84,3 +84,11 @@ def _angle_of(subject: Landmark, yaw: float, anchor: Landmark, target: BaseGeome
 def bearing(start: Vec2, end: Vec2) -> float:
     """Direction from one point to another."""
     return math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
+
+
+def past_centre(subject: Landmark, anchor: Landmark) -> float:
+    """By how much the subject looks past the middle of the anchor [degrees]; 0 for what looks every way."""
+    if subject.front == "any":
+        return 0.0
+    off = turn_between(subject.gaze, bearing(subject.centre, anchor.centre))
+    return min(off, 180.0 - off) if subject.front == "two" else off

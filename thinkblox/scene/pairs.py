@@ -12,7 +12,7 @@ import shapely
 from shapely import Point
 
 from thinkblox.brief import RelationKind
-from thinkblox.scene.bearings import CONTACT, angle_to, gap, gap_text, ground_gap, shared
+from thinkblox.scene.bearings import CONTACT, angle_to, gap, gap_text, ground_gap, past_centre, shared
 from thinkblox.scene.landmarks import Landmark
 from thinkblox.scene.room import Room, turn_between
 
@@ -26,8 +26,9 @@ FAR = 4.0
 """A gap from which things are far from each other; SceneEval far."""
 FAR_IN_SMALL, SMALL_ROOM = 2.0, 5.0
 """The same in a room whose diagonal is less than this."""
-FACING, FACING_AWAY = 30.0, 45.0
-"""Largest angle between a front and what it faces, SceneEval face_to; and between a back and what it is turned from."""
+FACING, FACING_AWAY, ASIDE = 30.0, 45.0, 45.0
+"""Largest angle between a front and what it faces, SceneEval face_to; between a back and what it is turned from; and by
+which the nearer of two that are opposite each other looks past the other's middle."""
 AGAINST_WALL = 0.3
 """Largest gap to a wall; SceneEval against_wall."""
 ON_WALL = 0.01
@@ -270,6 +271,11 @@ def _nearly_above(subject: Landmark, anchor: Landmark) -> Finding:
     return rise >= -CONTACT and aside <= NEARLY_ABOVE, text
 
 
+def _partly_under(subject: Landmark, anchor: Landmark) -> Finding:
+    share, lower = shared(subject, anchor), subject.base <= anchor.base + CONTACT
+    return lower and share > 0.0, f"{share:.0%} of {subject.name} under {anchor.name}"
+
+
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
     if anchor.kind == "opening" and subject.base < CONTACT:
         return _below_opening(subject, anchor)
@@ -345,12 +351,15 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
         turn = 0.0 if subject.front == "any" else angle_to(subject, anchor)
     elif "two" in (subject.front, anchor.front):
         turn = min(turn, 180.0 - turn)
-    apart = ground_gap(subject, anchor)
-    text = f"{subject.name} {apart:.2f} m from {anchor.name}, {turn:.0f} degrees off facing it"
+    apart, aside = ground_gap(subject, anchor), 0.0
+    if anchor.kind == "object" and not (subject.hung and anchor.hung):
+        aside = min(past_centre(subject, anchor), past_centre(anchor, subject))
+    text = f"{subject.name} {apart:.2f} m from {anchor.name}, {max(turn, aside):.0f} degrees off facing it"
     least, most = ACROSS
     if subject.hung and anchor.hung:
         most = math.inf
-    return ahead and least - ROUNDING <= apart <= most + ROUNDING and turn <= FACING + ROUNDING, text
+    facing_it = turn <= FACING + ROUNDING and aside <= ASIDE + ROUNDING
+    return ahead and least - ROUNDING <= apart <= most + ROUNDING and facing_it, text
 
 
 _PAIRS: dict[RelationKind, Pair] = {
@@ -377,4 +386,9 @@ _PAIRS: dict[RelationKind, Pair] = {
     "in_corner": _in_corner,
     "in_centre": _in_centre,
 }
-_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by, "above": _nearly_above}
+_DENIED: dict[RelationKind, Pair] = {
+    "against_wall": _close_to_wall,
+    "next_to": _close_by,
+    "above": _nearly_above,
+    "under": _partly_under,
+}

@@ -227,6 +227,8 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
 
 def _says_where(after: list[Token]) -> bool:
     """Whether words that follow "'s" tell where something is, so that it stands for "is"."""
+    if [token.text for token in after[:2]] in (["there", "is"], ["there", "are"]):
+        return False
     here = after[1:2] if after and after[0].text in _YET else []
     if here and here[0].text in ("here", "there"):
         return True

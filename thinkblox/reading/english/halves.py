@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.said import is_link
 
 
 def with_halves(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -13,6 +14,8 @@ def with_halves(chunks: Sequence[Chunk]) -> list[Chunk]:
         share = _share(said) if isinstance(said, Noun) else None
         if not isinstance(said, Noun) or share is None:
             continue
+        if said.kind == "pronoun" and not (at and is_link(made[at - 1], "prepositions")):
+            continue  # Who reads clauses knows better what "half of them" are that have something.
         total = said.count if said.det == "half" and said.count else _number_of(said, made[:at])
         if not total or total * share[0] % share[1]:
             continue
@@ -33,11 +36,9 @@ def _share(said: Noun) -> tuple[int, int] | None:
 
 
 def _number_of(said: Noun, before: Sequence[Chunk]) -> int:
-    """How many of a kind were named last, of which it is a share; 0 where that is not known."""
-    alike = (
-        c
-        for c in reversed(before)
-        if isinstance(c, Noun) and c.kind == "thing" and c.many and (said.kind == "pronoun" or c.value == said.value)
-    )
-    named = next(alike, None)
-    return (named.count or 0) * max(1, named.rows) if named is not None and named.rows >= 0 else 0
+    """How many were named, of which it is a share; 0 where that is not known, or where "them" may be one or another."""
+    several = [c for c in before if isinstance(c, Noun) and c.kind == "thing" and c.many and c.count and c.rows >= 0]
+    alike = several if said.kind == "pronoun" else [c for c in several if c.value == said.value]
+    if not alike or (said.kind == "pronoun" and len({c.value for c in alike}) > 1):
+        return 0
+    return (alike[-1].count or 0) * max(1, alike[-1].rows)

@@ -43,7 +43,7 @@ class Heads(Modifiers):
 
     def _head(self, noun: Noun, units: Units) -> None:
         nouns = units.nouns
-        while len(nouns) > 1 and nouns[-1].owner:
+        while len(nouns) > 1 and nouns[-1].owner and not _is_room(nouns[-1]):
             nouns.pop()
         for unit in nouns[:-1]:
             if unit.owner and unit.known is not None and unit.known.entry.sort == "object":
@@ -278,3 +278,8 @@ class Heads(Modifiers):
 def is_purpose(word: str) -> bool:
     """Whether a word before a noun only says whom or what it is for: "a client chair", "a demonstration bench"."""
     return is_person(word) or is_abstract(word) or grammar().knows(word, "people", "abstract")
+
+
+def _is_room(unit: Unit) -> bool:
+    """Whether it is named after whose it is: "an old school barber's"."""
+    return unit.known is not None and unit.known.entry.sort == "room"

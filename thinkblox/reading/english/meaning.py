@@ -752,8 +752,12 @@ class Meanings:
         return _NAMED.get(word, word)
 
     def of_each(self, meaning: Meaning, subjects: list[Mention]) -> Meaning:
-        """What "per desk", told before its subjects, means for them."""
-        return self._fitting(replace(meaning), subjects)
+        """What "per desk", or "on four of the desks", told before its subjects, means for them."""
+        meant = self._fitting(replace(meaning), subjects)
+        some = meant.anchors[0] if len(meant.anchors) == 1 else None
+        if isinstance(some, Mention) and some.many and some.count is not None and self.referents.is_apart(some):
+            meant.each |= bool(subjects) and subjects[-1].count == 1 and meant.kind in ("on", "inside", "at")
+        return meant
 
     def _fitting(self, meaning: Meaning, subjects: list[Mention], noun: str = "", word: str = "") -> Meaning:
         """The relation that a general word like "at", "in" or "per" stands for between these two."""

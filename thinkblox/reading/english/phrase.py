@@ -70,7 +70,8 @@ class PhraseReader(Heads):
     def _owned(self, at: int) -> int:
         """How many tokens "his", "Mrs Olsen's" have, where what is theirs is meant without its name; 0 for another."""
         length = 1 if self.tokens[at].text in grammar().lists["owned"] else self._owner(at)
-        if not length:
+        workplace = length > 1 and self._text(at - 1, at).lower() in ("at", "in") and self._known(at + 1, "room")
+        if not length or workplace:
             return 0
         end = at + length
         ends = end >= len(self.tokens) or self.tokens[end].kind == "mark" or self.tokens[end].text == "and"
@@ -437,7 +438,7 @@ class PhraseReader(Heads):
     def _ends_early(self, noun: Noun, at: int, units: Units) -> bool:
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
         text = self.tokens[at].text
-        if text == "x" and not self.tokens[at].glued:
+        if (text == "x" and not self.tokens[at].glued) or text == "there":
             return True
         if text in ("one", "ones") and (units.nouns or units.adjectives or noun.det):
             return True

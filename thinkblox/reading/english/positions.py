@@ -445,7 +445,7 @@ class Positions(Subjects):
         if noun.kind == "room":
             if (noun.count or 1) > 1 or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
-            elif where.word == "in" and (not self.draft.room or (self.draft.room == "room" and not self.draft.things)):
+            elif self._is_setting(where):
                 self.draft.room = ""
                 self._room(noun)
                 self._go_on_with_room()
@@ -455,6 +455,11 @@ class Positions(Subjects):
             self.draft.excluded.add(noun.value)
             return True
         return False
+
+    def _is_setting(self, where: Where) -> bool:
+        """Whether it says in which room all of it is: "in the clinic there is", "at a small cafe: four tables"."""
+        begins = not self.draft.room or (self.draft.room == "room" and not self.draft.things)
+        return begins and (where.word == "in" or (where.word == "at" and not where.start))
 
     def _is_inside_label(self, where: Where, noun: Noun) -> bool:
         """Take what a text begins with for the room: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""

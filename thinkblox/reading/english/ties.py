@@ -13,7 +13,7 @@ _ON_IT = ("prepositions", "on", "in", "inside", "on_top")
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
 _TELLING_NO_PLACE = ("with", "of", "for", "per")
 """Prepositions that say nothing of where a thing is."""
-_BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposite", "around")
+_BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposite", "around", "above")
 """Prepositions after which "them" are several together."""
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
 """What things are beside rather than on."""
