@@ -26,6 +26,7 @@ from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.doings import with_doings
+from thinkblox.reading.english.each_of_which import with_each_of_which
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.goals import with_goals
@@ -46,12 +47,15 @@ from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.persons_places import with_persons_places
+from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
+from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
+from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
@@ -105,6 +109,20 @@ _ONE_OTHER = re.compile(
     re.IGNORECASE,
 )
 """Where commas are left out around words that tell of two how one stands to the other."""
+_OF_WHICH = re.compile(
+    r"(?<=, )(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b|"
+    r"(?<=\band )(?:to|on|at) the (left|right)(?: side| hand side)? of which\b",
+    re.IGNORECASE,
+)
+"""At which side of what was named something is that comes."""
+_BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
+_SO_THAT = re.compile(
+    r"\b(?:oriented|positioned|placed|turned|arranged|angled|set) so (?:that |as )?(?:it|they|to)(?: is| are)?"
+    r" (fac(?:es?|ing) |look(?:s|ing)? )",
+    re.IGNORECASE,
+)
+"""How a thing is turned, told as what that is for."""
+_THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 _TO_CEILING = re.compile(
     r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
     r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
@@ -137,6 +155,11 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
+    text = _OF_WHICH.sub(lambda match: f"{(match[1] or match[2]).lower()} of which".ljust(len(match[0])), text)
+    text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
+    text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
+    text = _THREE_D.sub(lambda match: " " * len(match[0]), text)
+    text = with_shares(text)
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
@@ -150,6 +173,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_pictured,
+        with_respective,
+        with_each_of_which,
         with_next_things,
         with_keyed,
         with_apposed,
@@ -256,6 +282,11 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
 def _and_half(number: str) -> str:
     """The number of "one and a half", in digits."""
     return f"{_TO_TEN.index(number) if number in _TO_TEN else int(number)}.5"
+
+
+def _turned_so(verb: str) -> str:
+    """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
+    return "facing " if verb.lower().startswith("fac") else "looking "
 
 
 def _full_height(said: re.Match[str]) -> str:
