@@ -20,6 +20,7 @@ from thinkblox.reading.english.broken_off import with_broken_off
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
+from thinkblox.reading.english.collectives import with_collectives
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
@@ -175,6 +176,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_broken_off,
         with_pictured,
         with_respective,
+        with_collectives,
         with_each_of_which,
         with_next_things,
         with_keyed,

@@ -38,6 +38,10 @@ class Naming(Several):
         return known
 
     def _pointed_at(self, noun: Noun) -> list[Mention]:
+        among = [t for start in noun.among for t in self.meant.get(start, ()) if t in self.draft.things]
+        return list(dict.fromkeys(among)) or self._pointed_at_by_name(noun)
+
+    def _pointed_at_by_name(self, noun: Noun) -> list[Mention]:
         if noun.det == "each" and noun.every:
             return self._every(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
