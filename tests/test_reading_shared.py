@@ -626,3 +626,54 @@ def test_a_share_of_a_number_is_a_number(share: str, counts: set[int]) -> None:
 )
 def test_turns_of_plain_speech(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A sofa is along the north wall, with a TV stand along the south wall.",
+            {"sofa against_wall north_wall", "tv_stand against_wall south_wall"},
+        ),
+        (
+            "A bed in the left corner with a dresser in the right corner.",
+            {"bed in_corner left_wall", "dresser in_corner right_wall"},
+        ),
+        (
+            "A desk by the window with a bookcase next to the door.",
+            {"desk next_to window", "bookcase next_to door"},
+        ),
+        ("A sofa and an armchair are separated by a side table.", {"side_table between sofa armchair"}),
+        ("A sofa and an armchair, separated by a side table.", {"side_table between sofa armchair"}),
+        ("Two armchairs separated by a side table.", {"side_table between armchair"}),
+        ("A nightstand is sandwiched between the bed and the wardrobe.", {"nightstand between bed wardrobe"}),
+        ("A rug stretches from the sofa to the TV stand.", {"rug between sofa tv_stand"}),
+        ("Each side of the bed has a nightstand.", {"nightstand left_of bed", "nightstand-2 right_of bed"}),
+        ("Both sides of the bed have nightstands.", {"nightstand left_of bed", "nightstand-2 right_of bed"}),
+        ("The bed's headboard is against the north wall.", {"bed against_wall north_wall"}),
+        ("The back of the sofa is against the wall.", {"sofa against_wall wall"}),
+        ("A desk faces north.", {"desk facing north_wall"}),
+        ("A sofa facing east.", {"sofa facing east_wall"}),
+        ("Curtains hang from the window.", {"curtain next_to window"}),
+        (
+            "There is a sofa with a cushion at each end.",
+            {"pillow on sofa", "pillow-2 on sofa", "pillow left_of sofa", "pillow-2 right_of sofa"},
+        ),
+        ("The table accommodates six chairs.", {"chair around dining_table"}),
+    ],
+)
+def test_each_has_its_own_place(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize("words", ["accommodates six people", "can accommodate six", "can accommodate six people"])
+def test_whom_a_table_accommodates_it_seats(words: str) -> None:
+    [table] = [r for r in read_brief(f"The table {words}.").requests if r.asked]
+    assert table.attributes == ("for-6",)
+
+
+def test_hours_of_a_clock_are_no_clocks() -> None:
+    brief = read_brief("A sofa stands at the wall, and the desk at 12 o'clock.")
+    assert asked(brief) == {"sofa": 1, "desk": 1}
+    assert "at 12 o clock" in brief.unknown
+    assert asked(read_brief("The bed's headboard faces the door.")) == {"bed": 1}

@@ -45,6 +45,8 @@ from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.own_places import with_own_places
+from thinkblox.reading.english.part_subjects import with_part_subjects
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.persons_places import with_persons_places
@@ -63,6 +65,7 @@ from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.top_sides import with_top_sides
+from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -177,6 +180,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_pictured,
         with_respective,
         with_collectives,
+        with_part_subjects,
+        with_own_places,
+        with_ways,
         with_each_of_which,
         with_next_things,
         with_keyed,
