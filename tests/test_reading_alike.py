@@ -303,3 +303,80 @@ def test_what_a_thing_is_made_of_is_no_other_thing(
 ) -> None:
     [request] = [r for r in read_brief(prompt).requests if r.asked]
     assert (request.states, request.unshown) == (states, unshown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [
+        ("A black and white rug lies under the coffee table.", {"rug": ("black", "white"), "coffee_table": ()}),
+        ("Two red and white chairs.", {"chair": ("red", "white")}),
+        (
+            "A wooden table, painted green, and two metal chairs.",
+            {"dining_table": ("wooden", "green"), "chair": ("metal",)},
+        ),
+        ("A dresser, painted light blue.", {"dresser": ("light-blue",)}),
+        ("A desk of solid oak.", {"desk": ("oak",)}),
+        ("The sofa is grey, the armchairs are too.", {"sofa": ("grey",), "armchair": ("grey",)}),
+        ("The bed is white and the desk is as well.", {"bed": ("white",), "desk": ("white",)}),
+    ],
+)
+def test_looks_of_two_colours_and_told_in_other_words(prompt: str, looks: dict[str, tuple[str, ...]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.attributes for r in brief.requests if r.asked} == looks
+    assert brief.unknown == ()
+
+
+def test_two_colours_before_two_nouns_are_of_two_things() -> None:
+    brief = read_brief("A green and a black chair, and two red and two white stools.", fill="named")
+    assert {(r.category, r.count, r.attributes) for r in brief.requests} == {
+        ("chair", 1, ("green",)),
+        ("chair", 1, ("black",)),
+        ("stool", 2, ("red",)),
+        ("stool", 2, ("white",)),
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("There are twice as many chairs as tables. There are three tables.", {"chair": 6, "dining_table": 3}),
+        ("There are three tables and three times as many chairs.", {"chair": 9, "dining_table": 3}),
+        ("There are three tables. There are four times as many chairs as tables.", {"chair": 12, "dining_table": 3}),
+    ],
+)
+def test_so_many_times_as_many(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == counts
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two lamps on the wall above the bed.",
+        "Mounted on the wall above the bed are two lamps.",
+        "Two lights are mounted on the wall above the bed.",
+    ],
+)
+def test_lamps_on_a_wall_hang_from_no_ceiling(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests} == {"wall_lamp": 2, "bed": 1}
+
+
+@pytest.mark.parametrize(
+    ("floor", "laying"),
+    [
+        ("a black and white tiled floor", "checker"),
+        ("black and white floor tiles", "checker"),
+        ("black floor tiles", "tiles"),
+    ],
+)
+def test_a_floor_of_two_colours_paints_no_walls(floor: str, laying: str) -> None:
+    brief = read_brief(f"A kitchen with {floor}.")
+    assert [(s.part, s.laying) for s in brief.surfaces] == [("floor", laying)]
+    assert brief.unknown == ()
+
+
+def test_walls_of_the_room_are_its_walls() -> None:
+    [walls] = read_brief("The walls of the room are painted in a light green.").surfaces
+    assert (walls.part, walls.laying) == ("walls", "paint")

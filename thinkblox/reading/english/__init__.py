@@ -10,6 +10,7 @@ from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
+from thinkblox.reading.english.as_many import with_as_many
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
 from thinkblox.reading.english.bare_fronts import with_bare_fronts
@@ -65,6 +66,7 @@ from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.top_sides import with_top_sides
+from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -177,6 +179,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_two_colours,
+        with_as_many,
         with_pictured,
         with_respective,
         with_collectives,
