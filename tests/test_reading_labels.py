@@ -73,3 +73,37 @@ def test_a_picture_of_a_room_that_hangs_somewhere_is_one(prompt: str) -> None:
     brief = read_brief(prompt)
     assert brief.room_type != "kitchen"
     assert {"picture", "sofa"} <= {r.category for r in brief.requests if r.asked}
+
+
+@pytest.mark.parametrize(
+    "opening",
+    [
+        "Looking for",
+        "We are looking for",
+        "In need of",
+        "Thinking of",
+        "How about",
+        "Welcome to",
+        "Step into",
+        "You find yourself in",
+        "Picture",
+        "Imagine",
+        "You enter",
+        "This is",
+        "We see",
+    ],
+)
+def test_however_a_text_begins_it_is_of_its_room(opening: str) -> None:
+    brief = read_brief(f"{opening} a bathroom with a bathtub.")
+    assert (brief.room_type, brief.unknown) == ("bathroom", ())
+    assert [r.category for r in brief.requests if r.asked] == ["bathtub"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["Also present are", "Present in the room are", "Next, there are", "Afterwards, add", "Secondly, there are"],
+)
+def test_words_that_go_on_name_nothing(words: str) -> None:
+    brief = read_brief(f"A table stands in the middle. {words} two chairs.")
+    assert [r.category for r in brief.requests if r.asked] == ["dining_table", "chair"]
+    assert brief.unknown == ()

@@ -677,3 +677,58 @@ def test_hours_of_a_clock_are_no_clocks() -> None:
     assert asked(brief) == {"sofa": 1, "desk": 1}
     assert "at 12 o clock" in brief.unknown
     assert asked(read_brief("The bed's headboard faces the door.")) == {"bed": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "The first desk is by the window and the second desk is against the wall.",
+            {"desk": 1, "desk-2": 1},
+            {"desk next_to window", "desk-2 against_wall wall"},
+        ),
+        (
+            "The lamp is on the left nightstand and the book is on the right nightstand.",
+            {"table_lamp": 1, "nightstand": 1, "nightstand-2": 1, "book": 1},
+            {"table_lamp on nightstand", "book on nightstand-2"},
+        ),
+        (
+            "The lamp is on the left nightstand, the book on the right one.",
+            {"table_lamp": 1, "nightstand": 1, "nightstand-2": 1, "book": 1},
+            {"table_lamp on nightstand", "book on nightstand-2"},
+        ),
+        (
+            "The red chair is by the window and the blue chair is by the door.",
+            {"chair": 1, "chair-2": 1},
+            {"chair next_to window", "chair-2 next_to door"},
+        ),
+        (
+            "A red chair and a blue chair. The red chair is by the window and the blue chair is by the door.",
+            {"chair": 1, "chair-2": 1},
+            {"chair next_to window", "chair-2 next_to door"},
+        ),
+        (
+            "The left wall has a shelf and the right wall has a mirror.",
+            {"wall_shelf": 1, "mirror": 1},
+            {"wall_shelf on left_wall", "mirror on right_wall"},
+        ),
+        (
+            "The table on which the lamp stands is next to the sofa.",
+            {"side_table": 1, "table_lamp": 1, "sofa": 1},
+            {"table_lamp on side_table", "side_table next_to sofa"},
+        ),
+        (
+            "The room has a bed to the left of which stands a nightstand.",
+            {"bed": 1, "nightstand": 1},
+            {"nightstand left_of bed"},
+        ),
+    ],
+)
+def test_what_is_told_apart_is_several(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_the_larger_and_the_smaller_are_two() -> None:
+    brief = read_brief("The larger table is round and the smaller table is square.")
+    looks = {r.attributes for r in brief.requests if r.category == "dining_table"}
+    assert looks == {("large", "round"), ("small", "square")}

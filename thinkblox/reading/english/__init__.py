@@ -18,6 +18,7 @@ from thinkblox.reading.english.bare_places import with_bare_places
 from thinkblox.reading.english.belongings import with_belongings
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.broken_off import with_broken_off
+from thinkblox.reading.english.carrying import with_carrying
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
@@ -65,6 +66,7 @@ from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
+from thinkblox.reading.english.told_apart import with_told_apart
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.ways import with_ways
@@ -115,12 +117,20 @@ _ONE_OTHER = re.compile(
     re.IGNORECASE,
 )
 """Where commas are left out around words that tell of two how one stands to the other."""
-_OF_WHICH = re.compile(
-    r"(?<=, )(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b|"
-    r"(?<=\band )(?:to|on|at) the (left|right)(?: side| hand side)? of which\b",
+_OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
+"""At which side of what was named something is that comes."""
+_WANTED = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:(?:i am|i'm|we are|we're|you|we) )?"
+    r"(?:(?:looking|searching|hoping) for|in (?:need|search) of|thinking of|(?:how|what) about|welcome to|"
+    r"(?:step|walk) into|(?:find|found|picture|imagine) (?:yourself|ourselves|myself) in|go for|opt for)"
+    r"(?= (?:an?|the|my|our|this)\b)",
     re.IGNORECASE,
 )
-"""At which side of what was named something is that comes."""
+"""What else begins to say what is wanted."""
+_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
+"""There is what comes."""
+_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
+"""What comes then."""
 _BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
 _SO_THAT = re.compile(
     r"\b(?:oriented|positioned|placed|turned|arranged|angled|set) so (?:that |as )?(?:it|they|to)(?: is| are)?"
@@ -161,7 +171,10 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
-    text = _OF_WHICH.sub(lambda match: f"{(match[1] or match[2]).lower()} of which".ljust(len(match[0])), text)
+    text = _OF_WHICH.sub(lambda match: f"{match[1].lower()} of which".ljust(len(match[0])), text)
+    text = _WANTED.sub(lambda match: "show".ljust(len(match[0])), text)
+    text = _PRESENT.sub(lambda match: f"there {match[1].lower()}".ljust(len(match[0])), text)
+    text = _NEXT.sub("then", text)
     text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
     text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
     text = _THREE_D.sub(lambda match: " " * len(match[0]), text)
@@ -184,6 +197,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_pictured,
         with_respective,
         with_collectives,
+        with_told_apart,
+        with_carrying,
         with_part_subjects,
         with_own_places,
         with_ways,

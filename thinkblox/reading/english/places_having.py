@@ -26,11 +26,12 @@ def with_places_having(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - 1, -1, -1):
         place, verb = made[at], made[at + 1] if at + 1 < len(made) else None
-        begins = not at or is_link(made[at - 1], "mark", "stop", "semicolon", "colon")
+        begins = not at or is_link(made[at - 1], "mark", "stop", "semicolon", "colon") or _goes_on(made, at)
         if not begins or not isinstance(place, Noun) or not isinstance(verb, Connector):
             continue
         lined = _lined(made, at + 1)
-        if word := _lined_before(place) if lined else _word_before(place) if _has(verb) else "":
+        having = (_word_before(place) or _word_after(made, at)) if _has(verb) else ""
+        if word := _lined_before(place) if lined else having:
             made[at : at + 1 + (lined or 1)] = [
                 Connector("prepositions", word, place.start, place.start, word),
                 place,
@@ -54,6 +55,19 @@ def _lined_before(place: Noun) -> str:
     walls = place.kind == "place" and place.value.split()[0].endswith("wall")
     side = place.kind == "part" and place.value in ("left", "right") and place.word == "side"
     return "along" if walls else "on" if side else _word_before(place)
+
+
+def _goes_on(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a second wall that has something comes: "..., and the right wall has a mirror"."""
+    wall, verb = (*chunks[at : at + 2], None, None)[:2]
+    place = isinstance(wall, Noun) and wall.kind == "place" and wall.definite and wall.value.endswith("wall")
+    joined = is_link(chunks[at - 1], "joins", "and", "but") or is_link(chunks[at - 1], "mark", "comma")
+    return place and joined and isinstance(verb, Connector) and _has(verb)
+
+
+def _word_after(chunks: Sequence[Chunk], at: int) -> str:
+    """The preposition for what a wall has besides what another one has."""
+    return "on" if at and _goes_on(chunks, at) else ""
 
 
 def _has(verb: Connector) -> bool:
