@@ -219,3 +219,164 @@ def test_the_opposite_wall_is_across_from_the_furniture_that_leads(prompt: str, 
     brief = read_brief(prompt)
     assert set(relations.split(", ")) <= set(related(brief))
     assert not any(r.kind == "opposite" for r in brief.relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "look"),
+    [
+        ("A living room with a sofa and an armchair. Both pieces are grey.", ("sofa", "armchair"), "grey"),
+        ("A bedroom with a bed and a wardrobe. The furniture is white.", ("bed", "wardrobe"), "white"),
+        ("A bedroom with a bed and a desk. Each piece is white.", ("bed", "desk"), "white"),
+        ("There are a bench and two stools. These seats are made of wood.", ("bench", "stool"), "wooden"),
+        ("A sofa, two armchairs and a coffee table. The seating is grey.", ("sofa", "armchair"), "grey"),
+        ("A kitchen with a table, a fridge and a stove. The appliances are white.", ("fridge", "stove"), "white"),
+        ("A desk with a laptop and a printer. Both devices are black.", ("laptop", "printer"), "black"),
+        ("On the table are a plate, a fork and a glass. The tableware is blue.", ("plate", "fork", "glass"), "blue"),
+        ("A cup and a plate on a table. Both items are blue.", ("cup", "plate"), "blue"),
+        ("A sofa, a rug and a lamp. All three items are red.", ("sofa", "rug", "floor_lamp"), "red"),
+        ("A dresser and a wardrobe. Both storage pieces are oak.", ("dresser", "wardrobe"), "oak"),
+        ("A bedroom with white furniture: a bed and a wardrobe.", ("bed", "wardrobe"), "white"),
+        ("A living room with wooden furniture including a desk and a chair.", ("desk", "chair"), "wooden"),
+        ("Black devices such as a laptop and a printer on a desk.", ("laptop", "printer"), "black"),
+    ],
+)
+def test_what_a_word_for_many_kinds_means_was_named(prompt: str, category: tuple[str, ...], look: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category for r in brief.requests if look in r.attributes} == {*category}
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "subjects", "relation"),
+    [
+        (
+            "The kitchen has a fridge, a stove and a dishwasher. All three appliances stand against the north wall.",
+            {"fridge", "stove", "dishwasher"},
+            ("against_wall", "north_wall"),
+        ),
+        ("A bench, two stools and a TV. All three seats face the TV.", {"bench", "stool"}, ("facing", "tv")),
+        ("A teddy bear and a doll. Both toys sit on the bed.", {"teddy_bear", "doll"}, ("on", "bed")),
+        ("A bed and a desk. A rug lies between the two pieces.", {"rug"}, ("between", "bed", "desk")),
+        (
+            "Three boxes, two crates and a barrel. All six items are along the north wall.",
+            {"box", "crate", "barrel"},
+            ("against_wall", "north_wall"),
+        ),
+    ],
+)
+def test_what_stands_so_was_named_before(prompt: str, subjects: set[str], relation: tuple[str, ...]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.subject for r in brief.relations if (r.kind, *r.anchors) == relation} == subjects
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unknown"),
+    [
+        ("A fridge, a stove and an oven. All four appliances stand against the wall.", "All four appliances"),
+        ("The furniture is made of oak. There is a bed and a desk.", "The furniture is made of oak"),
+    ],
+)
+def test_a_word_for_many_kinds_that_means_nothing_named_is_told(prompt: str, unknown: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert unknown in brief.unknown
+    assert not {r.category for r in brief.requests} & {"appliance", "furniture"}
+
+
+@pytest.mark.parametrize("rest", ["and the rest are blue", ", the rest are blue", "and the others are blue"])
+def test_the_rest_are_the_others(rest: str) -> None:
+    brief = read_brief(f"There are five chairs. Two of them are red {rest}.".replace(" ,", ","))
+    assert {(r.count, r.attributes) for r in brief.requests if r.asked} == {(2, ("red",)), (3, ("blue",))}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "states", "unshown"),
+    [
+        ("A desk that is made of oak.", (), ()),
+        ("The table is made of crates.", (), ("made of crates",)),
+        ("The shelf is made from pallets.", (), ("made of pallets",)),
+        ("A bed that is made.", ("made",), ()),
+    ],
+)
+def test_what_a_thing_is_made_of_is_no_other_thing(
+    prompt: str, states: tuple[str, ...], unshown: tuple[str, ...]
+) -> None:
+    [request] = [r for r in read_brief(prompt).requests if r.asked]
+    assert (request.states, request.unshown) == (states, unshown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "looks"),
+    [
+        ("A black and white rug lies under the coffee table.", {"rug": ("black", "white"), "coffee_table": ()}),
+        ("Two red and white chairs.", {"chair": ("red", "white")}),
+        (
+            "A wooden table, painted green, and two metal chairs.",
+            {"dining_table": ("wooden", "green"), "chair": ("metal",)},
+        ),
+        ("A dresser, painted light blue.", {"dresser": ("light-blue",)}),
+        ("A desk of solid oak.", {"desk": ("oak",)}),
+        ("The sofa is grey, the armchairs are too.", {"sofa": ("grey",), "armchair": ("grey",)}),
+        ("The bed is white and the desk is as well.", {"bed": ("white",), "desk": ("white",)}),
+    ],
+)
+def test_looks_of_two_colours_and_told_in_other_words(prompt: str, looks: dict[str, tuple[str, ...]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.attributes for r in brief.requests if r.asked} == looks
+    assert brief.unknown == ()
+
+
+def test_two_colours_before_two_nouns_are_of_two_things() -> None:
+    brief = read_brief("A green and a black chair, and two red and two white stools.", fill="named")
+    assert {(r.category, r.count, r.attributes) for r in brief.requests} == {
+        ("chair", 1, ("green",)),
+        ("chair", 1, ("black",)),
+        ("stool", 2, ("red",)),
+        ("stool", 2, ("white",)),
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("There are twice as many chairs as tables. There are three tables.", {"chair": 6, "dining_table": 3}),
+        ("There are three tables and three times as many chairs.", {"chair": 9, "dining_table": 3}),
+        ("There are three tables. There are four times as many chairs as tables.", {"chair": 12, "dining_table": 3}),
+    ],
+)
+def test_so_many_times_as_many(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == counts
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two lamps on the wall above the bed.",
+        "Mounted on the wall above the bed are two lamps.",
+        "Two lights are mounted on the wall above the bed.",
+    ],
+)
+def test_lamps_on_a_wall_hang_from_no_ceiling(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests} == {"wall_lamp": 2, "bed": 1}
+
+
+@pytest.mark.parametrize(
+    ("floor", "laying"),
+    [
+        ("a black and white tiled floor", "checker"),
+        ("black and white floor tiles", "checker"),
+        ("black floor tiles", "tiles"),
+    ],
+)
+def test_a_floor_of_two_colours_paints_no_walls(floor: str, laying: str) -> None:
+    brief = read_brief(f"A kitchen with {floor}.")
+    assert [(s.part, s.laying) for s in brief.surfaces] == [("floor", laying)]
+    assert brief.unknown == ()
+
+
+def test_walls_of_the_room_are_its_walls() -> None:
+    [walls] = read_brief("The walls of the room are painted in a light green.").surfaces
+    assert (walls.part, walls.laying) == ("walls", "paint")

@@ -41,3 +41,69 @@ def test_labels_are_ordinals(prompt: str, counts: dict[str, int], relations: set
 def test_lone_number_is_no_label() -> None:
     brief = read_brief("A table 2 m long and a desk 1 m wide.")
     assert [r.count for r in brief.requests if r.category in ("dining_table", "desk")] == [1, 1]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "The scene shows a bathroom with a bathtub.",
+        "The scene: a bathroom with a bathtub.",
+        "The scene depicts a bathroom with a bathtub.",
+        "The scene consists of a bathroom with a bathtub.",
+        "Create a scene of a bathroom with a bathtub.",
+        "A photo of a bathroom with a bathtub.",
+        "The image is of a bathroom with a bathtub.",
+        "A 3D model of a bathroom with a bathtub.",
+        "A render of a bathroom with a bathtub.",
+        "A floor plan of a bathroom with a bathtub.",
+        "A simulation of a bathroom with a bathtub.",
+    ],
+)
+def test_what_shows_a_room_is_nothing_in_it(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert (brief.room_type, brief.unknown) == ("bathroom", ())
+    assert [r.category for r in brief.requests if r.asked] == ["bathtub"]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    ["A picture of a kitchen hangs above the sofa.", "A living room with a picture of a kitchen above the sofa."],
+)
+def test_a_picture_of_a_room_that_hangs_somewhere_is_one(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.room_type != "kitchen"
+    assert {"picture", "sofa"} <= {r.category for r in brief.requests if r.asked}
+
+
+@pytest.mark.parametrize(
+    "opening",
+    [
+        "Looking for",
+        "We are looking for",
+        "In need of",
+        "Thinking of",
+        "How about",
+        "Welcome to",
+        "Step into",
+        "You find yourself in",
+        "Picture",
+        "Imagine",
+        "You enter",
+        "This is",
+        "We see",
+    ],
+)
+def test_however_a_text_begins_it_is_of_its_room(opening: str) -> None:
+    brief = read_brief(f"{opening} a bathroom with a bathtub.")
+    assert (brief.room_type, brief.unknown) == ("bathroom", ())
+    assert [r.category for r in brief.requests if r.asked] == ["bathtub"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["Also present are", "Present in the room are", "Next, there are", "Afterwards, add", "Secondly, there are"],
+)
+def test_words_that_go_on_name_nothing(words: str) -> None:
+    brief = read_brief(f"A table stands in the middle. {words} two chairs.")
+    assert [r.category for r in brief.requests if r.asked] == ["dining_table", "chair"]
+    assert brief.unknown == ()

@@ -531,3 +531,214 @@ def test_left_one_is_at_the_left_of_what_such_things_flank(prompt: str, relation
 def test_shares_and_what_each_has(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     counts, found = told(prompt)
     assert (counts, relations - found) == (things, set())
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "The bookcase and the wardrobe stand against the north and the east wall, respectively.",
+            {"bookcase": 1, "wardrobe": 1},
+            {"bookcase against_wall north_wall", "wardrobe against_wall east_wall"},
+        ),
+        (
+            "A desk and a bed against the north and south walls respectively.",
+            {"desk": 1, "bed": 1},
+            {"desk against_wall north_wall", "bed against_wall south_wall"},
+        ),
+        (
+            "There are two side tables. A lamp and a vase stand on the left and the right table respectively.",
+            {"side_table": 1, "side_table-2": 1, "table_lamp": 1, "vase": 1},
+            {"table_lamp on side_table", "vase on side_table-2"},
+        ),
+        (
+            "A sofa and a bed are on the left and on the right, respectively.",
+            {"sofa": 1, "bed": 1},
+            {"sofa against_wall left_wall", "bed against_wall right_wall"},
+        ),
+        (
+            "A lamp, a cup and a book on the desk, the shelf and the bed respectively.",
+            {"desk_lamp": 1, "desk": 1, "cup": 1, "shelving_unit": 1, "book": 1, "bed": 1},
+            {"desk_lamp on desk", "cup on shelving_unit", "book on bed"},
+        ),
+        (
+            "A bedroom has a bed and two nightstands, each of which holds a lamp.",
+            {"bed": 1, "nightstand": 2, "table_lamp": 2},
+            {"table_lamp on nightstand each"},
+        ),
+        (
+            "A bed and two armchairs, each of which faces the window.",
+            {"bed": 1, "armchair": 2},
+            {"armchair facing window"},
+        ),
+    ],
+)
+def test_one_by_one(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize("words", ["each white", "each of which is white", "both white"])
+def test_what_each_of_two_is_like_is_said_of_no_more(words: str) -> None:
+    looks = {r.category: r.attributes for r in read_brief(f"A bed and two chairs, {words}.").requests if r.asked}
+    assert looks == {"bed": (), "chair": ("white",)}
+
+
+def test_the_chair_and_the_desk_are_red_and_blue_respectively() -> None:
+    looks = {
+        r.category: r.attributes for r in read_brief("The chair and the desk are red and blue respectively.").requests
+    }
+    assert looks["chair"] == ("red",)
+    assert looks["desk"] == ("blue",)
+
+
+def test_what_is_respectively_told_of_nothing_is_told() -> None:
+    assert read_brief("Two chairs and a bed respectively.").unknown == ("respectively",)
+
+
+@pytest.mark.parametrize(
+    ("share", "counts"),
+    [
+        ("Half of the ten chairs", {5}),
+        ("50% of the ten chairs", {5}),
+        ("A third of the nine chairs", {3, 6}),
+        ("30 percent of the ten chairs", {3, 7}),
+    ],
+)
+def test_a_share_of_a_number_is_a_number(share: str, counts: set[int]) -> None:
+    brief = read_brief(f"{share} are blue.")
+    assert {r.count for r in brief.requests if r.asked} == counts
+    assert sum(r.count for r in brief.requests if "blue" in r.attributes) == min(counts)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "There is a bed, to the left of which is a nightstand and to the right of which is a wardrobe.",
+            {"bed": 1, "nightstand": 1, "wardrobe": 1},
+            {"nightstand left_of bed", "wardrobe right_of bed"},
+        ),
+        (
+            "The bed is flanked on both sides by nightstands.",
+            {"bed": 1, "nightstand": 1, "nightstand-2": 1},
+            {"nightstand left_of bed", "nightstand-2 right_of bed"},
+        ),
+        ("The desk is oriented so that it faces the door.", {"desk": 1}, {"desk facing door"}),
+        ("A book is resting on the arm of the sofa.", {"book": 1, "sofa": 1}, {"book on sofa"}),
+        ("A wardrobe hugs the east wall.", {"wardrobe": 1}, {"wardrobe against_wall east_wall"}),
+        ("A red rug adorns the floor.", {"rug": 1}, {"rug on floor"}),
+        (
+            "Upon entering, you see a coat rack on the left.",
+            {"coat_rack": 1},
+            {"coat_rack against_wall left_wall"},
+        ),
+    ],
+)
+def test_turns_of_plain_speech(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A sofa is along the north wall, with a TV stand along the south wall.",
+            {"sofa against_wall north_wall", "tv_stand against_wall south_wall"},
+        ),
+        (
+            "A bed in the left corner with a dresser in the right corner.",
+            {"bed in_corner left_wall", "dresser in_corner right_wall"},
+        ),
+        (
+            "A desk by the window with a bookcase next to the door.",
+            {"desk next_to window", "bookcase next_to door"},
+        ),
+        ("A sofa and an armchair are separated by a side table.", {"side_table between sofa armchair"}),
+        ("A sofa and an armchair, separated by a side table.", {"side_table between sofa armchair"}),
+        ("Two armchairs separated by a side table.", {"side_table between armchair"}),
+        ("A nightstand is sandwiched between the bed and the wardrobe.", {"nightstand between bed wardrobe"}),
+        ("A rug stretches from the sofa to the TV stand.", {"rug between sofa tv_stand"}),
+        ("Each side of the bed has a nightstand.", {"nightstand left_of bed", "nightstand-2 right_of bed"}),
+        ("Both sides of the bed have nightstands.", {"nightstand left_of bed", "nightstand-2 right_of bed"}),
+        ("The bed's headboard is against the north wall.", {"bed against_wall north_wall"}),
+        ("The back of the sofa is against the wall.", {"sofa against_wall wall"}),
+        ("A desk faces north.", {"desk facing north_wall"}),
+        ("A sofa facing east.", {"sofa facing east_wall"}),
+        ("Curtains hang from the window.", {"curtain next_to window"}),
+        (
+            "There is a sofa with a cushion at each end.",
+            {"pillow on sofa", "pillow-2 on sofa", "pillow left_of sofa", "pillow-2 right_of sofa"},
+        ),
+        ("The table accommodates six chairs.", {"chair around dining_table"}),
+    ],
+)
+def test_each_has_its_own_place(prompt: str, relations: set[str]) -> None:
+    assert told(prompt)[1] == relations
+
+
+@pytest.mark.parametrize("words", ["accommodates six people", "can accommodate six", "can accommodate six people"])
+def test_whom_a_table_accommodates_it_seats(words: str) -> None:
+    [table] = [r for r in read_brief(f"The table {words}.").requests if r.asked]
+    assert table.attributes == ("for-6",)
+
+
+def test_hours_of_a_clock_are_no_clocks() -> None:
+    brief = read_brief("A sofa stands at the wall, and the desk at 12 o'clock.")
+    assert asked(brief) == {"sofa": 1, "desk": 1}
+    assert "at 12 o clock" in brief.unknown
+    assert asked(read_brief("The bed's headboard faces the door.")) == {"bed": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "The first desk is by the window and the second desk is against the wall.",
+            {"desk": 1, "desk-2": 1},
+            {"desk next_to window", "desk-2 against_wall wall"},
+        ),
+        (
+            "The lamp is on the left nightstand and the book is on the right nightstand.",
+            {"table_lamp": 1, "nightstand": 1, "nightstand-2": 1, "book": 1},
+            {"table_lamp on nightstand", "book on nightstand-2"},
+        ),
+        (
+            "The lamp is on the left nightstand, the book on the right one.",
+            {"table_lamp": 1, "nightstand": 1, "nightstand-2": 1, "book": 1},
+            {"table_lamp on nightstand", "book on nightstand-2"},
+        ),
+        (
+            "The red chair is by the window and the blue chair is by the door.",
+            {"chair": 1, "chair-2": 1},
+            {"chair next_to window", "chair-2 next_to door"},
+        ),
+        (
+            "A red chair and a blue chair. The red chair is by the window and the blue chair is by the door.",
+            {"chair": 1, "chair-2": 1},
+            {"chair next_to window", "chair-2 next_to door"},
+        ),
+        (
+            "The left wall has a shelf and the right wall has a mirror.",
+            {"wall_shelf": 1, "mirror": 1},
+            {"wall_shelf on left_wall", "mirror on right_wall"},
+        ),
+        (
+            "The table on which the lamp stands is next to the sofa.",
+            {"side_table": 1, "table_lamp": 1, "sofa": 1},
+            {"table_lamp on side_table", "side_table next_to sofa"},
+        ),
+        (
+            "The room has a bed to the left of which stands a nightstand.",
+            {"bed": 1, "nightstand": 1},
+            {"nightstand left_of bed"},
+        ),
+    ],
+)
+def test_what_is_told_apart_is_several(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_the_larger_and_the_smaller_are_two() -> None:
+    brief = read_brief("The larger table is round and the smaller table is square.")
+    looks = {r.attributes for r in brief.requests if r.category == "dining_table"}
+    assert looks == {("large", "round"), ("small", "square")}

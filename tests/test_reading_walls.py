@@ -32,3 +32,32 @@ def test_what_stands_along_no_wall_is_no_wall(prompt: str):
 def test_two_walls_of_things_are_shared_out():
     brief = read_brief("A gallery with two walls of pictures")
     assert [r.spread for r in brief.relations if r.kind == "against_wall" and r.subject == "picture"] == [2]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("The north wall is lined with bookcases.", ("bookcase", "against_wall", ("north_wall",))),
+        ("The north wall is occupied by two wardrobes.", ("wardrobe", "against_wall", ("north_wall",))),
+        ("The left wall is covered with posters.", ("poster", "against_wall", ("left_wall",))),
+        ("The corner is occupied by a lamp.", ("floor_lamp", "in_corner", ("corner",))),
+        ("One corner is home to an armchair.", ("armchair", "in_corner", ("corner",))),
+        ("The centre of the room is taken up by a pool table.", ("pool_table", "in_centre", ("centre",))),
+        ("The middle of the room has a piano.", ("piano", "in_centre", ("centre",))),
+        ("The right side is taken up by a sofa.", ("sofa", "against_wall", ("right_wall",))),
+        ("A sofa stands at the northern end of the room.", ("sofa", "against_wall", ("north_wall",))),
+        ("On the northern wall there is a bookcase.", ("bookcase", "against_wall", ("north_wall",))),
+    ],
+)
+def test_what_a_place_is_lined_with_or_home_to_is_there(prompt: str, relation: tuple[str, str, tuple[str, ...]]):
+    brief = read_brief(prompt)
+    assert relation in {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("words", ["is home to", "is occupied by"])
+def test_what_a_room_is_home_to_is_in_it(words: str):
+    brief = read_brief(f"The living room {words} two sofas and a piano.")
+    assert brief.room_type == "living_room"
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"sofa": 2, "piano": 1}
+    assert not [r for r in brief.relations if r.asked]

@@ -10,6 +10,7 @@ from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
+from thinkblox.reading.english.as_many import with_as_many
 from thinkblox.reading.english.asides import with_asides
 from thinkblox.reading.english.assortments import with_assortments
 from thinkblox.reading.english.bare_fronts import with_bare_fronts
@@ -17,15 +18,18 @@ from thinkblox.reading.english.bare_places import with_bare_places
 from thinkblox.reading.english.belongings import with_belongings
 from thinkblox.reading.english.booths import with_booths
 from thinkblox.reading.english.broken_off import with_broken_off
+from thinkblox.reading.english.carrying import with_carrying
 from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
+from thinkblox.reading.english.collectives import with_collectives
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
 from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.doings import with_doings
+from thinkblox.reading.english.each_of_which import with_each_of_which
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.goals import with_goals
@@ -43,21 +47,29 @@ from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.own_places import with_own_places
+from thinkblox.reading.english.part_subjects import with_part_subjects
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.persons_places import with_persons_places
+from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
+from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
+from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
+from thinkblox.reading.english.told_apart import with_told_apart
 from thinkblox.reading.english.top_sides import with_top_sides
+from thinkblox.reading.english.two_colours import with_two_colours
+from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -105,6 +117,28 @@ _ONE_OTHER = re.compile(
     re.IGNORECASE,
 )
 """Where commas are left out around words that tell of two how one stands to the other."""
+_OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
+"""At which side of what was named something is that comes."""
+_WANTED = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:(?:i am|i'm|we are|we're|you|we) )?"
+    r"(?:(?:looking|searching|hoping) for|in (?:need|search) of|thinking of|(?:how|what) about|welcome to|"
+    r"(?:step|walk) into|(?:find|found|picture|imagine) (?:yourself|ourselves|myself) in|go for|opt for)"
+    r"(?= (?:an?|the|my|our|this)\b)",
+    re.IGNORECASE,
+)
+"""What else begins to say what is wanted."""
+_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
+"""There is what comes."""
+_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
+"""What comes then."""
+_BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
+_SO_THAT = re.compile(
+    r"\b(?:oriented|positioned|placed|turned|arranged|angled|set) so (?:that |as )?(?:it|they|to)(?: is| are)?"
+    r" (fac(?:es?|ing) |look(?:s|ing)? )",
+    re.IGNORECASE,
+)
+"""How a thing is turned, told as what that is for."""
+_THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 _TO_CEILING = re.compile(
     r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
     r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
@@ -137,6 +171,14 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
+    text = _OF_WHICH.sub(lambda match: f"{match[1].lower()} of which".ljust(len(match[0])), text)
+    text = _WANTED.sub(lambda match: "show".ljust(len(match[0])), text)
+    text = _PRESENT.sub(lambda match: f"there {match[1].lower()}".ljust(len(match[0])), text)
+    text = _NEXT.sub("then", text)
+    text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
+    text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
+    text = _THREE_D.sub(lambda match: " " * len(match[0]), text)
+    text = with_shares(text)
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
@@ -150,6 +192,17 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_two_colours,
+        with_as_many,
+        with_pictured,
+        with_respective,
+        with_collectives,
+        with_told_apart,
+        with_carrying,
+        with_part_subjects,
+        with_own_places,
+        with_ways,
+        with_each_of_which,
         with_next_things,
         with_keyed,
         with_apposed,
@@ -258,6 +311,11 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
 def _and_half(number: str) -> str:
     """The number of "one and a half", in digits."""
     return f"{_TO_TEN.index(number) if number in _TO_TEN else int(number)}.5"
+
+
+def _turned_so(verb: str) -> str:
+    """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
+    return "facing " if verb.lower().startswith("fac") else "looking "
 
 
 def _full_height(said: re.Match[str]) -> str:

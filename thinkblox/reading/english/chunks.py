@@ -45,6 +45,7 @@ class Noun:
         fraction: "three out of every four" is (3, 4).
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
         id: of the object of a room that is named by it.
+        among: the tokens at which the things were named that it means together ("both appliances").
     """
 
     kind: NounKind
@@ -83,6 +84,7 @@ class Noun:
     material: str = ""
     within: bool = False
     id: str = ""
+    among: tuple[int, ...] = ()
     degree: str = ""
     looks: list[str] = field(default_factory=list)
     fates: dict[int, Fate] = field(default_factory=dict)

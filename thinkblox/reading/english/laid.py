@@ -11,13 +11,15 @@ _ABOUT = (*_OVER, "about", "around", "all around")
 """How far what is spread reaches over a thing, and about a room."""
 _TRAYS = ("tray", "caddy", "board", "plank")
 """What lies with both ends on something."""
+_ADORN = ("adorn", "grac", "decorat")
+"""How verbs begin that say of things that they are there for their looks."""
 _PARTS = ("arm", "armrest", "back", "edge", "side", "rim", "end", "foot", "corner", "top")
 """Parts of furniture that something hangs over."""
 
 
 def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what is draped or strewn over something is on it, and about the room on its floor."""
-    made = list(chunks)
+    made = _on_floor(chunks)
     at = 1
     while at < len(made) - 1:
         link, where = made[at], made[at + 1]
@@ -25,6 +27,19 @@ def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
         if over and isinstance(link, Connector) and isinstance(where, Noun):
             made[at:] = _laid(made[:at], link, where, made[at + 2 :])
         at += 1
+    return made
+
+
+def _on_floor(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "lies on the floor" for "adorns the floor"; what covers all of it is not to be had."""
+    made: list[Chunk] = []
+    for at, chunk in enumerate(chunks):
+        floor = chunks[at + 1] if at + 1 < len(chunks) else None
+        adorned = isinstance(chunk, Connector) and chunk.value == "line" and chunk.text.lower().startswith(_ADORN)
+        if adorned and isinstance(chunk, Connector) and isinstance(floor, Noun) and floor.value == "floor":
+            made += [replace(chunk, value="stand"), Connector("prepositions", "on", floor.start, floor.start, "on")]
+        else:
+            made.append(chunk)
     return made
 
 

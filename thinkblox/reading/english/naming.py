@@ -38,6 +38,10 @@ class Naming(Several):
         return known
 
     def _pointed_at(self, noun: Noun) -> list[Mention]:
+        among = [t for start in noun.among for t in self.meant.get(start, ()) if t in self.draft.things]
+        return list(dict.fromkeys(among)) or self._pointed_at_by_name(noun)
+
+    def _pointed_at_by_name(self, noun: Noun) -> list[Mention]:
         if noun.det == "each" and noun.every:
             return self._every(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
@@ -45,7 +49,7 @@ class Naming(Several):
         if noun.det == "each" or (noun.det in ("all", "both", "none") and noun.plural):
             return self._all_named(noun)
         if noun.total > (noun.count or 0) and noun.kind == "thing" and self.referents.named(noun) is None:
-            self._new(replace(noun, count=noun.total, plural=True, ordinal=0, of_known=False, total=0))
+            self._new(replace(noun, count=noun.total, plural=True, ordinal=0, side="", of_known=False, total=0))
         if noun.degree and noun.det in ("the", "my"):
             return self._by_degree(noun)
         if some := self._some_of_unnamed(noun) or self._some_told(noun):

@@ -36,7 +36,7 @@ def _is_owning(tokens: Sequence[Token], at: int) -> bool:
 def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which it is told of the things themselves, or said not to be understood."""
     made: list[Chunk] = []
-    chunks, at = _seated(_without_past(chunks)), 0
+    chunks, at = _seated(_without_past(_without_making(chunks))), 0
     while at < len(chunks):
         chunk = chunks[at]
         if _is_own_door(chunks, at):
@@ -68,6 +68,17 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
         at += 1
+    return made
+
+
+def _without_making(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "is made of" and "made from" say of what a thing is, and not that a bed is made."""
+    made = list(chunks)
+    for at in range(len(made) - 1):
+        said, link = made[at : at + 2]
+        if str(getattr(said, "text", "")).lower() == "made" and is_link(link, "prepositions", "of", "from"):
+            made[at] = Connector("fillers", "words", said.start, said.end, "made")
+            made[at + 1] = Connector("prepositions", "of", link.start, link.end, "of")
     return made
 
 

@@ -12,6 +12,8 @@ from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
 _HOLDING = ("holds", "has", "contains", "carries", "bears", "stores", "houses", "displays")
 """What one of several does, of which more is told: "one | holds books"."""
+_CLEAR = ("empty", "clear", "free")
+"""What the rest of a room is, rather than the rest of several things."""
 _NAMES = 5
 """Most unknown words that one name has."""
 _ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
@@ -48,11 +50,9 @@ class PhraseReader(Heads):
         each = pronoun.length if pronoun is not None and pronoun.value == "each" else 0
         if length := self._each_before_number(start, each, after_preposition=after_preposition):
             return self._finished(Noun("pronoun", "each", start, start + length, "each"))
-        if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
-            after = self._known(start + pronoun.length, "attribute", "style")
-            if after is not None and not self._starts_noun(start + pronoun.length + after.length):
-                noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
-                return self._finished(noun)
+        if pronoun is not None and self._is_rest(start, start + pronoun.length):
+            noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
+            return self._finished(noun)
         at = self._before(noun, start)
         if noun.ordinal and (number := self._number(at)) is not None:
             several = not self._starts_noun(at + number[1])
@@ -66,6 +66,16 @@ class PhraseReader(Heads):
                 return self._finished(noun)
             noun.of_known, at = True, noun.end
         return self._named_at(noun, at, after_preposition=after_preposition)
+
+    def _is_rest(self, start: int, end: int) -> bool:
+        """Whether "the rest" is of several things, of which a look is told: "the rest blue", "the rest are blue"."""
+        if self._text(start, end).lower() != "the rest":
+            return False
+        be = self._text(end, end + 1).lower() in ("is", "are")
+        after = self._known(end + be, "attribute", "style")
+        if after is None:
+            return False
+        return after.entry.value not in _CLEAR if be else not self._starts_noun(end + after.length)
 
     def _owned(self, at: int) -> int:
         """How many tokens "his", "Mrs Olsen's" have, where what is theirs is meant without its name; 0 for another."""

@@ -9,10 +9,11 @@ _AT_WALL = ("against", "along", "at", "by", "next_to", "near", "around", "in", "
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
 
 
-_WALLS = {
+WALLS = {
     "left": "left_wall", "right": "right_wall", "north": "north_wall", "south": "south_wall", "east": "east_wall",
     "west": "west_wall", "back": "far_wall", "rear": "far_wall", "far": "far_wall", "front": "near_wall",
 }  # fmt: skip
+"""Walls by the word that tells which."""
 
 
 _OPPOSITE = ("opposite", "other side", "other end", "facing wall", "other wall")
@@ -21,7 +22,7 @@ _OPPOSITE = ("opposite", "other side", "other end", "facing wall", "other wall")
 
 def begins_two_walls(word: str) -> bool:
     """Whether a word can be the first of what `two_walls_at` reads."""
-    return word in ("the", "both") or word in _WALLS
+    return word in ("the", "both") or word in WALLS
 
 
 def two_walls_at(words: Sequence[str]) -> tuple[str, int]:
@@ -31,9 +32,9 @@ def two_walls_at(words: Sequence[str]) -> tuple[str, int]:
         return ("left_wall right_wall", length) if words[2] in ("to", "on", "at") else ("", 0)
     start = 1 if words[:1] in (["the"], ["both"]) else 0
     said = list(words[start : start + 4])
-    if len(said) < 4 or said[1] != "and" or said[3] not in ("wall", "walls") or not {said[0], said[2]} <= _WALLS.keys():
+    if len(said) < 4 or said[1] != "and" or said[3] not in ("wall", "walls") or not {said[0], said[2]} <= WALLS.keys():
         return "", 0
-    return f"{_WALLS[said[0]]} {_WALLS[said[2]]}", start + 4
+    return f"{WALLS[said[0]]} {WALLS[said[2]]}", start + 4
 
 
 def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | None:

@@ -9,6 +9,8 @@ from thinkblox.reading.english.words import Words
 from thinkblox.reading.tokens import Token
 
 _OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
+_SHARES = {"half": 0.5, "twice": 2.0, "two": 2.0, "three": 3.0, "four": 4.0, "five": 5.0}
+"""How many of others "half as many", "three times as many" are, by the first word."""
 _PILES = 2
 """So many stacks are several, where nobody says how many."""
 _STACKS = ("stack", "pile", "heap")
@@ -121,7 +123,7 @@ class Quantities(Words):
             return 0
         quantifier = next(iter(grammar().all_at(self.tokens, at, "quantifiers")), None)
         if quantifier is not None and quantifier.value == "relative":
-            noun.share = {"half": 0.5, "twice": 2.0}.get(self.tokens[at].text, 1.0)
+            noun.share = _SHARES.get(self.tokens[at].text, 1.0)
             noun.plural = True
             return quantifier.length
         if self.tokens[at].text == "between" and (between := self._between(noun, at)):

@@ -38,11 +38,15 @@ _FINISHED = ("carpeted", "tiled", "panelled", "paneled", "wallpapered", "whitewa
 """What a room can be called by its surfaces."""
 _ARTICLES = ("a", "an", "the", "its", "all", "some", "four", "three", "two", "one")
 _LAID = "painted papered wallpapered tiled panelled paneled carpeted covered clad lined finished done made laid".split()
+_OF_ROOM = 3
+"""Words of "of the room"."""
 _IN = ("in", "with", "of", "from")
 _DENIED = ("no", "not", "without", "non", "never", "instead")
 _DARK, _LIGHT = "charcoal", "cream"
 _DARK_WOOD, _LIGHT_WOOD = "walnut", "ash"
 _TWO_COLOURS = ("checker", "stripes", "motifs", "flowers")
+_CHECKERED = (None, "tiles")
+"""What a floor of two colours may be called besides."""
 _GENERAL: tuple[Laying, ...] = ("planks", "panels", "tiles", "paint", "motifs")
 """What other words tell more closely: "oak parquet", "subway tiles", "striped wallpaper"."""
 
@@ -64,6 +68,8 @@ class _Look:
         if len(names) > 1 and laying not in _TWO_COLOURS:
             woods = [name for name in names if name in surface_words().woods]
             names = [name for name in names if name not in woods] if len(woods) < len(names) else names
+        if part == "floor" and len(names) == 2 and laying in _CHECKERED:
+            laying = "checker"
         if len(names) > 2 or (len(names) == 2 and laying not in _TWO_COLOURS):
             return None
         colour = self._colour(names, laying)
@@ -145,6 +151,7 @@ def _said_after(tokens: Sequence[Token], at: int, start: int) -> SurfaceFinding 
     if part is None:
         return None
     place = start + 1
+    place += _OF_ROOM if [_text(tokens, place + n) for n in range(2)] == ["of", "the"] and _says(tokens, place) else 0
     said = _text(tokens, place) in ("is", "are")
     place += said
     laid = _text(tokens, place) in _LAID
@@ -183,6 +190,11 @@ def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> SurfaceFind
             if request is not None:
                 return SurfaceFinding(end, request)
     return None
+
+
+def _says(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "are" comes after "of the room"."""
+    return _text(tokens, at + _OF_ROOM) in ("is", "are")
 
 
 def _bares(tokens: Sequence[Token], start: int) -> bool:

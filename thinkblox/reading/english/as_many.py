@@ -1,0 +1,51 @@
+"""Numbers told by those of other things, and looks by those of others: "twice as many chairs as tables", "are too"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_TOO = ("too", "as well", "also")
+
+
+def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks with the number where what it is told by is counted later, and with the look that others have too."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        noun, link, other = (*chunks[at : at + 3], None, None)[:3]
+        number = 0
+        if isinstance(noun, Noun) and noun.share and is_link(link, "prepositions", "as") and isinstance(other, Noun):
+            number = int(noun.share * _number_later(other, chunks[at + 3 :]))
+        if number and isinstance(noun, Noun):
+            made.append(replace(noun, share=0.0, count=number, plural=number > 1))
+            at += 2
+        elif noun is not None:
+            made.append(_look_again(chunks, at, made) or noun)
+        at += 1
+    return made
+
+
+def _number_later(noun: Noun, after: Sequence[Chunk]) -> int:
+    """How many of a kind are told of only after "as many as" it; 0 where that is not told."""
+    if noun.kind != "thing" or noun.count is not None or noun.det:
+        return 0
+    alike = (c for c in after if isinstance(c, Noun) and c.kind == "thing" and c.value == noun.value and c.count)
+    return next((c.count or 0 for c in alike if not c.of_known), 0)
+
+
+def _look_again(chunks: Sequence[Chunk], at: int, before: Sequence[Chunk]) -> Adjective | None:
+    """The look of "the sofa is grey, the armchairs are too" in place of "too"; None where none was told just before."""
+    too, end = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+    said = isinstance(too, Connector) and too.sort == "fillers" and too.text.lower() in _TOO
+    ends = end is None or is_link(end, "mark", "stop", "semicolon")
+    if not (said and ends) or not before or not is_link(before[-1], "verbs", "be"):
+        return None
+    found = [
+        n for n, c in enumerate(before) if isinstance(c, Adjective) and n and is_link(before[n - 1], "verbs", "be")
+    ]
+    last = before[found[-1]] if found else None
+    named = sum(isinstance(c, Noun) for c in before[found[-1] :]) if found else 0
+    told = isinstance(last, Adjective) and named == 1
+    return replace(last, start=too.start, end=too.end) if told and isinstance(last, Adjective) else None

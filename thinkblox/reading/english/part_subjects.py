@@ -1,0 +1,81 @@
+"""Parts that a sentence begins with: "the bed's headboard is against the wall", "each side of the bed has a lamp"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_TURNED = ("head", "back", "foot", "front")
+_SIDES = ("side", "end", "long_side", "short_side", "left", "right", "top", "middle")
+_BOTH, _WITH = ("each", "either", "both"), ("prepositions", "with")
+_PLACED = ("against", "facing", "to", "near", "next_to", "by")
+
+
+def with_part_subjects(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which a thing stands as a part of it is said to, and what its sides have is at these."""
+    made = _with_ends(chunks)
+    for at in range(len(made) - 1, -1, -1):
+        begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and")
+        part = made[at]
+        if not begins or not isinstance(part, Noun) or part.kind != "part":
+            continue
+        whole, length = _whole(made, at)
+        if whole is None:
+            continue
+        verb, after = (*made[at + length : at + length + 2], None, None)[:2]
+        if part.value in _SIDES and isinstance(verb, Connector) and is_link(verb, "verbs", "have", "hold", "carry"):
+            made[at : at + length + 1] = _at_side(part, whole, verb)
+        elif part.value in _TURNED and (link := _turned(verb, after)) is not None:
+            made[at : at + length + (1 if verb is not None and link.start == verb.start else 2)] = [
+                *_owner(part, whole),
+                link,
+            ]
+    return made
+
+
+def _with_ends(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "on each side" for where cushions are "at each end" of what one leans back in: its two sides."""
+    made = list(chunks)
+    for at in range(3, len(made) - 1):
+        seat, has, thing, link, end = made[at - 3 : at + 2]
+        both = isinstance(end, Noun) and end.kind == "part" and end.value == "end" and end.det in _BOTH
+        both &= is_link(link, "prepositions", "at", "on")
+        leant = isinstance(seat, Noun) and load_habits().is_in(seat.value, "lounges") and is_link(has, *_WITH)
+        small = isinstance(thing, Noun) and load_habits().is_in(thing.value, "small")
+        if both and leant and small and isinstance(link, Connector) and isinstance(end, Noun):
+            made[at], made[at + 1] = replace(link, value="on"), replace(end, value="side")
+    return made
+
+
+def _whole(chunks: Sequence[Chunk], at: int) -> tuple[Noun | None, int]:
+    """What a part is of, and how many chunks say so."""
+    part, of, whole = (*chunks[at : at + 3], None, None)[:3]
+    if is_link(of, "prepositions", "of") and isinstance(whole, Noun) and whole.kind == "thing":
+        return whole, 3
+    if isinstance(part, Noun) and part.owner:
+        name = part.text.rpartition(" ")[0]
+        called = name.lower().removeprefix("the ").removesuffix("'s").removesuffix("\u2019s")
+        return Noun("thing", part.owner, part.start, part.end - 1, name, called, det="the"), 1
+    return None, 0
+
+
+def _at_side(part: Noun, whole: Noun, verb: Connector) -> list[Chunk]:
+    on = Connector("prepositions", "on", part.start, part.start, "on")
+    of = Connector("prepositions", "of", whole.start, whole.start, "of")
+    return [on, part, of, whole, replace(verb, value="stand")]
+
+
+def _owner(part: Noun, whole: Noun) -> list[Chunk]:
+    own = replace(part, det="my", owner="", start=part.end - 1)
+    return [whole, Connector("prepositions", "with", whole.end, whole.end, "with"), own]
+
+
+def _turned(verb: Chunk | None, after: Chunk | None) -> Connector | None:
+    """How a part stands, as a preposition; None where that is not told."""
+    if isinstance(verb, Connector) and is_link(verb, "verbs", "face"):
+        return replace(verb, sort="prepositions", value="facing")
+    placed = isinstance(after, Connector) and is_link(after, "prepositions", *_PLACED)
+    told = is_link(verb, "verbs", "be", "stand") and placed
+    return after if told and isinstance(after, Connector) else None

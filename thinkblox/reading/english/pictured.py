@@ -1,0 +1,57 @@
+"""Rooms that are told of by what shows them: "a photo of a kitchen", "the scene shows a bedroom"."""
+
+from collections.abc import Sequence
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.said import is_link
+
+_PLACING = ("on", "above", "over", "by", "next_to", "against", "behind", "in_front_of", "opposite", "between", "at")
+"""Where pictures hang, which are then things in a room."""
+_NEW = ("a", "")
+
+
+def with_pictured(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which the room that is shown is the room, as long as nothing was named before it."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        length = 0 if _names_thing(made) else _picture(chunks, at)
+        if not length:
+            made.append(chunks[at])
+        at += length or 1
+    return made
+
+
+def _names_thing(before: Sequence[Chunk]) -> bool:
+    """Whether a thing or a room was named before."""
+    return any(isinstance(chunk, Noun) and chunk.kind in ("thing", "room") for chunk in before)
+
+
+def _picture(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks come before the room of "a photo of a kitchen", "the scene shows one"; 0 where it does not."""
+    picture, link = (*chunks[at : at + 2], None, None)[:2]
+    told = isinstance(picture, Noun) and not picture.many and bool(picture.text)
+    if not told or not isinstance(picture, Noun) or picture.word not in grammar().lists["depictions"]:
+        return 0
+    if is_link(link, "verbs", "be") and is_link(_at(chunks, at + 2), "prepositions", "of"):
+        return 3 if _is_room(_at(chunks, at + 3)) else 0
+    shows = is_link(link, "mark", "colon") or str(getattr(link, "text", "")).lower() in grammar().lists["showing_verbs"]
+    shows |= is_link(link, "prepositions", "of") and not _hangs(_at(chunks, at + 3))
+    return 2 if shows and _is_room(_at(chunks, at + 2)) else 0
+
+
+def _at(chunks: Sequence[Chunk], at: int) -> Chunk | None:
+    return chunks[at] if at < len(chunks) else None
+
+
+def _is_room(chunk: Chunk | None) -> bool:
+    """Whether a new room of a kind that is told comes."""
+    room = isinstance(chunk, Noun) and chunk.kind == "room" and chunk.value != "room"
+    return room and isinstance(chunk, Noun) and chunk.det in _NEW and not chunk.many
+
+
+def _hangs(after: Chunk | None) -> bool:
+    """Whether it is told next where the picture itself is."""
+    placed = isinstance(after, Connector) and after.sort == "prepositions" and after.value in _PLACING
+    return placed or is_link(after, "verbs", "be", "stand", "hang") or is_link(after, "participles")
