@@ -38,6 +38,10 @@ SEAT_GAP = 0.4
 """Largest gap of a seat drawn up to a table; handbooks pull a chair out by 0.3 to 0.4 to sit down."""
 CENTRE_SHARE = 0.25
 """Largest offset from the centre along each axis, as a share of the extent: the middle half."""
+MIDDLE = 0.294
+"""Largest offset from the middle of a thing; SceneEval middle_of, where its score is a half [m]."""
+SCORE_OF_HALF = math.sqrt(2.0 * math.log(2.0))
+"""Times the spread of SceneEval's middle of a room, which grows with the thing: where its score is a half."""
 END_SHARE = 1 / 6
 """Smallest offset from the middle of what lies at one side of a top, as a share of its extent: the outer thirds."""
 UNDER_SHARE = 0.2
@@ -305,7 +309,22 @@ def _in_corner(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _in_centre(subject: Landmark, anchor: Landmark) -> Finding:
-    """In the middle half of the room, of a wall's length, or of what carries it."""
+    """In the middle half of the room, of a wall's length, or of what carries it, and about the very middle of those."""
+    holds, text = _about_centre(subject, anchor)
+    x, y = anchor.to_local(subject.centre)
+    return holds and (anchor.kind == "wall" or math.hypot(x, y) <= _off_centre(subject, anchor) + ROUNDING), text
+
+
+def _off_centre(subject: Landmark, anchor: Landmark) -> float:
+    """How far from the middle of a room or a thing the middle of something may be that is there [m]."""
+    if anchor.kind == "object":
+        return MIDDLE
+    large, side = 2 * max(subject.half), sum(anchor.half)
+    return SCORE_OF_HALF * (0.5 * large + 1.0 - large / side)
+
+
+def _about_centre(subject: Landmark, anchor: Landmark) -> Finding:
+    """In the middle half, be it away from the very middle."""
     x, y = (abs(offset) for offset in anchor.to_local(subject.centre))
     reach_x, reach_y = (AGAINST_WALL if half == 0.0 else half * 2 * CENTRE_SHARE for half in anchor.half)
     if anchor.kind == "wall":
@@ -360,4 +379,9 @@ _PAIRS: dict[RelationKind, Pair] = {
     "in_corner": _in_corner,
     "in_centre": _in_centre,
 }
-_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by, "above": _nearly_above}
+_DENIED: dict[RelationKind, Pair] = {
+    "against_wall": _close_to_wall,
+    "next_to": _close_by,
+    "above": _nearly_above,
+    "in_centre": _about_centre,
+}
