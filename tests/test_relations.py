@@ -170,6 +170,15 @@ def test_in_the_middle_of_a_long_top_is_near_its_middle(aside: float, holds: boo
     assert measure(scene_of(bench, tray), "in_centre", "tray_1", ("bench_1",)).holds == holds
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "yaw", "holds"), [(0.015, 2.6, 0.0, True), (1.5, 0.015, 90.0, False), (1.1, 0.015, 90.0, False)]
+)
+def test_behind_a_desk_on_the_wall_is_on_that_at_its_back(x: float, y: float, yaw: float, holds: bool) -> None:
+    desk = thing("counter_1", (1.0, 2.2, 1.1), 1.5, 1.12)
+    clock = thing("clock_1", (0.03, 0.3, 0.3), x, min(y, 1.9), yaw, z=1.8, mount="wall")
+    assert measure(scene_of(desk, clock), "behind", "clock_1", ("counter_1",)).holds == holds
+
+
 def test_says_what_was_measured() -> None:
     assert (
         measure(BEDROOM, "next_to", "nightstand_1", ["bed_1"]).measured

@@ -145,8 +145,8 @@ def _far(room: Room) -> Pair:
 def _on_side(x: int, y: int, reach: float) -> Pair:
     """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners.
 
-    What hangs behind a desk that is drawn up to the wall hangs over its edge. What lies on the anchor is at that side
-    of its top.
+    What hangs behind a desk that is drawn up to the wall hangs over its edge, no more than over a quarter of it, and
+    not on another wall. What lies on the anchor is at that side of its top.
     """
 
     def pair(subject: Landmark, anchor: Landmark) -> Finding:
@@ -158,11 +158,17 @@ def _on_side(x: int, y: int, reach: float) -> Pair:
         forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
         half, half_across = anchor.half if x else anchor.half[::-1]
         beyond, past = forward - half, max(across - half_across, 0.0)
-        least = -half if subject.hung and not anchor.hung else -CONTACT
+        over = subject.hung and not anchor.hung and (not x or _faces_from(subject, anchor, x))
+        least = -half / 2 if over else -CONTACT
         aligned = beyond >= least and past <= max(beyond, 0.0) + CONTACT
         return aligned and ground_gap(subject, anchor) <= reach + ROUNDING, gap_text(subject, anchor)
 
     return pair
+
+
+def _faces_from(subject: Landmark, anchor: Landmark, x: int) -> bool:
+    """Whether something on a wall is at the front (1) or the back (-1) of the anchor by the way it looks."""
+    return turn_between(subject.yaw, anchor.yaw + (180.0 if x > 0 else 0.0)) <= FACING_AWAY + ROUNDING
 
 
 _BEFORE, _BEHIND = _on_side(1, 0, NEAR), _on_side(-1, 0, NEAR)
