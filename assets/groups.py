@@ -19,6 +19,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "written_on": "somebody stands before it and writes on it",
         "storage": "things are kept in it, and it carries more on top",
         "shelves": "things stand on its shelves",
+        "tiered": "its boards are alike: what stands on any of them is on it",
         "plants": "a plant",
         "seats": "one sits on it at a table, or next to others",
         "wallpieces": "hangs on a wall",

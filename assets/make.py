@@ -104,7 +104,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     forms = words & {FOR_LONG, *(category.forms[role] for role in ("holds", "carries") if role in category.forms)}
     build = fitted(opened(made, forms, round=(made.front or category.front) == "any") if forms else made, size)
     links, mount = links_of(build, size), mount_of(category, words)
-    surfaces = tuple(build.surfaces) or _found(category, mount, links, size)
+    surfaces = _topped(category, tuple(build.surfaces) or _found(category, mount, links, size))
     asset = Asset(
         id="",
         category=name,
@@ -123,6 +123,13 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
     return structs.replace(asset, id=f"{name}-{digest}", gaze=category.gaze)
+
+
+def _topped(category: Category, surfaces: tuple[Surface, ...]) -> tuple[Surface, ...]:
+    """The surfaces, those under the top of what is no shelf, rack or bunk as within: "on the cart" means its top."""
+    if category.is_in("shelves", "tiered", "beds") or all(s.inner for s in surfaces):
+        return surfaces
+    return tuple(s if s.headroom is None else structs.replace(s, within=True) for s in surfaces)
 
 
 def _found(category: Category, mount: Mount, links: tuple[Link, ...], size: Vec3) -> tuple[Surface, ...]:

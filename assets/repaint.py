@@ -62,10 +62,14 @@ LOOKS = frozenset({*COLOURS, *MATERIALS, *_FINISHES, *TOPPED})
 """Words that say of which colour or material a thing is."""
 _FRAME = 0.12
 """Least share of the visible faces that a frame has; less are handles and hinges."""
-_PLAINLY = 0.3
+PLAINLY = 0.3
 """Share of the visible faces from which nobody would call a thing by another colour."""
+_PALE, _SAME_PALE = 0.6, 0.1
+"""Least channel of a pale colour, and the distance of what goes by its name: neither chrome nor birch is white."""
 _COATED: tuple[Material, ...] = ("wood", "metal", "fabric", "leather", "plastic", "paper")
 """What is painted or dyed where the largest finish alone shows little of a colour."""
+_SHADES: tuple[Material, ...] = ("light",)
+"""What the shade of a lamp is of."""
 _SLAB, _THICK = 0.2, 0.006
 """Least share of the largest shape's plan that a part of a top has, and how far below its highest one it ends [m]."""
 _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
@@ -105,11 +109,15 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
 
 
 def _coated(links: tuple[Link, ...], colour: Vec3) -> tuple[Link, ...]:
-    """The links with their largest finish in a colour, and the next largest too where that is little of the whole."""
-    if not shows_colour(links, colour):
+    """The links with their largest finish in a colour, and the next largest too where that is little of the whole.
+
+    A lamp that is mostly shade has that in the colour as well.
+    """
+    if _colour_share(links, colour) < SHARE:
         links = _dressed(links, colour, None)
-    if _colour_share(links, colour) < _PLAINLY:
-        links = _dressed(links, colour, None, of=_COATED, other_than=colour)
+    for coated in (_COATED, _SHADES):
+        if not shows_colour(links, colour):
+            links = _dressed(links, colour, None, of=coated, other_than=colour)
     return links
 
 
@@ -164,12 +172,18 @@ def _recoloured(
 
 
 def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
-    """Whether enough of what is seen has about that colour."""
-    return _colour_share(links, colour) >= SHARE
+    """Whether enough of what is seen has about that colour for it to be called so."""
+    return _colour_share(links, colour) >= PLAINLY
 
 
 def _colour_share(links: Iterable[Link], colour: Vec3) -> float:
-    return share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR)
+    return share(links, lambda shape: _has_colour(shape, colour))
+
+
+def _has_colour(shape: Shape, colour: Vec3) -> bool:
+    """Whether a shape goes by the name of a colour; a shade does only where it was made in that, as it glows."""
+    near = 0.0 if shape.material in _SHADES else _SAME_PALE if min(colour) > _PALE else SAME_COLOUR
+    return dist(shape.colour, colour) <= near
 
 
 def shows_finish(links: Iterable[Link], word: str) -> bool:
@@ -179,7 +193,7 @@ def shows_finish(links: Iterable[Link], word: str) -> bool:
         return share(made, lambda shape: shape.material in MATERIALS[word]) >= SHARE
     finish = _FINISHES[word]
     if word in WOODS or word == "wicker":
-        return shows_colour(made, finish.colour)
+        return _colour_share(made, finish.colour) >= SHARE
     near = share(
         made, lambda shape: shape.material == finish.material and dist(shape.colour, finish.colour) <= SAME_COLOUR
     )
@@ -233,10 +247,8 @@ def _dressed(
     """
     areas: dict[tuple[Vec3, Material], float] = {}
     for shape in (shape for link in links for shape in link.shapes):
-        meant = (not of or shape.material in of) and (
-            other_than is None or dist(shape.colour, other_than) > SAME_COLOUR
-        )
-        if shape.material not in _KEPT and meant:
+        meant = (not of or shape.material in of) and (other_than is None or not _has_colour(shape, other_than))
+        if (shape.material not in _KEPT or shape.material in of) and meant:
             key = (shape.colour, shape.material)
             areas[key] = areas.get(key, 0.0) + faces(shape)
     if not areas:

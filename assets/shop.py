@@ -151,16 +151,16 @@ def bar_counter(spec: Spec) -> Build:
 def planter(spec: Spec) -> Build:
     """Return a long trough of low plants."""
     x, y, z = spec.size
-    low = 0.5 * z
+    low = 0.56 * z
     body: list[Part] = [
         box(spec.wood, around(0, x), (-y / 2, y / 2), (0, low)),
         box(SOIL, around(0, 0.8 * x), around(0, y - 0.06), (low, low + 0.01)),
     ]
-    count = max(3, int(y / 0.14))
+    count = max(3, int(y / 0.2))
     for k in range(count):
         at = -y / 2 + (k + 0.5) * y / count
         grown = [
-            leaf(LEAVES[(k + j) % 4], (0, at, low), 40 + 72 * j + 50 * k, 80 - 9 * j, 0.5 * z, 0.07, droop=10)
+            leaf(LEAVES[(k + j) % 4], (0, at, low), 40 + 72 * j + 50 * k, 80 - 9 * j, 0.44 * z, 0.07, droop=10)
             for j in range(5)
         ]
         body += kept_inside(grown, (x / 2, y / 2), z)

@@ -760,3 +760,9 @@ def test_a_wall_of_wardrobes_is_one_row():
     rows = [r for r in room.report.relations if r.kind == "in_rows"]
     assert rows
     assert all(r.holds for r in rows)
+
+
+def test_what_is_asked_amid_the_room_stands_about_its_middle():
+    room = made("A hardware store of 9 m by 7 m with a counter near the door and a red wheelbarrow in the middle.")
+    (barrow,) = placed(room, "wheelbarrow")
+    assert math.dist(barrow.position[:2], room.scene.room.polygon.centroid.coords[0]) < 1.0

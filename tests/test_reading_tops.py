@@ -44,6 +44,11 @@ from thinkblox.reading import read_brief
             "1 sink left_of kitchen_island, 1 sink-2 right_of kitchen_island",
         ),
         ("A desk with a lamp to the left of it.", "1 floor_lamp left_of desk"),
+        (
+            "A desk carries a monitor and, in front of the monitor, a keyboard.",
+            "1 keyboard on desk, 1 keyboard in_front_of monitor",
+        ),
+        ("The TV stands on a cabinet. A plant is to the left of the TV.", "1 plant left_of tv"),
         ("A bench at the left end of the table.", "1 bench left_of dining_table"),
         ("A kitchen with an island, three stools on one side of the island.", "3 bar_stool in_front_of kitchen_island"),
         (

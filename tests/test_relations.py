@@ -153,6 +153,32 @@ def test_fails(kind: RelationKind, subject: str, anchors: tuple[str, ...]) -> No
     assert not result.holds, result.measured
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "holds", "denied"), [(4.5, 3.5, True, False), (3.3, 3.2, True, False), (2.6, 3.1, False, False)]
+)
+def test_in_the_middle_is_about_the_middle(x: float, y: float, holds: bool, denied: bool) -> None:
+    barrow = thing("barrow_1", (1.25, 0.55, 0.6), x, y)
+    scene = scene_of(barrow, room=rectangle(9.0, 7.0))
+    assert measure(scene, "in_centre", "barrow_1", ()).holds == holds
+    assert measure(scene, "in_centre", "barrow_1", (), negated=True).holds == denied
+
+
+@pytest.mark.parametrize(("aside", "holds"), [(0.0, True), (0.25, True), (0.4, False)])
+def test_in_the_middle_of_a_long_top_is_near_its_middle(aside: float, holds: bool) -> None:
+    bench = thing("bench_1", (0.7, 2.4, 0.8), 3.0, 2.0)
+    tray = thing("tray_1", (0.3, 0.4, 0.05), 3.0, 2.0 + aside, z=0.8, mount="surface")
+    assert measure(scene_of(bench, tray), "in_centre", "tray_1", ("bench_1",)).holds == holds
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "yaw", "holds"), [(0.015, 2.6, 0.0, True), (1.5, 0.015, 90.0, False), (1.1, 0.015, 90.0, False)]
+)
+def test_behind_a_desk_on_the_wall_is_on_that_at_its_back(x: float, y: float, yaw: float, holds: bool) -> None:
+    desk = thing("counter_1", (1.0, 2.2, 1.1), 1.5, 1.12)
+    clock = thing("clock_1", (0.03, 0.3, 0.3), x, min(y, 1.9), yaw, z=1.8, mount="wall")
+    assert measure(scene_of(desk, clock), "behind", "clock_1", ("counter_1",)).holds == holds
+
+
 def test_says_what_was_measured() -> None:
     assert (
         measure(BEDROOM, "next_to", "nightstand_1", ["bed_1"]).measured

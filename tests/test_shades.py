@@ -6,7 +6,7 @@ import pytest
 
 from thinkblox.assets import make_asset
 from thinkblox.assets.palette import COLOURS, SHADES
-from thinkblox.assets.repaint import SAME_COLOUR, share
+from thinkblox.assets.repaint import PLAINLY, SAME_COLOUR, share, shows_colour
 from thinkblox.assets.showing import realised
 from thinkblox.evaluation.colours import is_colour_word, looks
 from thinkblox.reading import read_brief
@@ -75,3 +75,23 @@ def test_a_room_of_a_shade_has_walls_of_it(look: str, shade: str) -> None:
     brief = read_brief(f"A {look} study.")
     assert [(s.part, s.colour) for s in brief.surfaces] == [("walls", COLOURS[shade])]
     assert not brief.unknown
+
+
+@pytest.mark.parametrize("category", ["floor_lamp", "wall_lamp", "pendant_lamp", "planter", "motorcycle", "chair"])
+@pytest.mark.parametrize("colour", ["red", "black", "white", "beige", "terracotta"])
+def test_so_much_has_the_colour_that_anybody_calls_it_so(category: str, colour: str) -> None:
+    made = make_asset(category, seed=1, attributes=(colour,))
+    assert share(made.links, lambda shape: looks(colour, shape.colour)) >= PLAINLY
+    assert realised(made, colour)
+
+
+def test_little_of_a_colour_does_not_show_it() -> None:
+    plant = make_asset("potted_plant", seed=0, attributes=("white",))
+    assert 0.0 < share(plant.links, lambda shape: shape.colour == COLOURS["white"]) < PLAINLY
+    assert not realised(plant, "white")
+
+
+def test_a_shade_keeps_its_light_and_chrome_is_not_white() -> None:
+    lamp = make_asset("table_lamp", seed=0, attributes=("red",))
+    assert any(s.material == "light" and s.colour != COLOURS["red"] for link in lamp.links for s in link.shapes)
+    assert not shows_colour(make_asset("bar_stool", seed=0, attributes=("chrome",)).links, COLOURS["white"])

@@ -8,6 +8,7 @@ from thinkblox.assets import make_asset, make_thing, room_under
 from thinkblox.assets.levels import found_surfaces
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
+from thinkblox.headline import shortfalls
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
@@ -210,6 +211,42 @@ def test_on_top(prompt: str, thing: str, carrier: str) -> None:
     surfaces: tuple[Surface, ...] = done.scene.asset_of(lower).surfaces
     assert upper.position[2] == pytest.approx(max(s.position[2] for s in surfaces), abs=0.005)
     assert done.report.valid
+
+
+@pytest.mark.parametrize("category", ["serving_trolley", "workbench", "coffee_table", "emergency_cart"])
+def test_on_it_is_on_its_top(category: str) -> None:
+    surfaces = make_asset(category, seed=0).surfaces
+    top = max(s.position[2] for s in surfaces)
+    assert [s.position[2] for s in surfaces if not s.within] == [top]
+    assert len(surfaces) > 1
+
+
+@pytest.mark.parametrize("category", ["bookcase", "shoe_rack", "bakery_rack", "shelving_unit"])
+def test_all_boards_of_shelves_carry(category: str) -> None:
+    assert len([s for s in make_asset(category, seed=0).surfaces if not s.within]) > 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "carrier", "things"),
+    [
+        ("A crash cart carries a monitor and, in front of the monitor, a keyboard.", "instrument_cart", 2),
+        ("A workbench carries a lathe, a desk lamp and a small tray in the middle of the bench.", "workbench", 3),
+        ("A shoe shop with ten shoe boxes on a trolley.", "serving_trolley", 10),
+    ],
+)
+def test_all_have_room_on_the_top(prompt: str, carrier: str, things: int) -> None:
+    done = room(prompt)
+    (lower,) = of(done, carrier)
+    top = lower.position[2] + max(s.position[2] for s in done.scene.asset_of(lower).surfaces)
+    on_top = [p for p in done.scene.placements if p.support == lower.id]
+    assert len(on_top) >= things
+    assert all(p.position[2] == pytest.approx(top, abs=0.005) for p in on_top)
+    assert not shortfalls(done.report)
+
+
+def test_what_has_no_room_on_the_top_is_told() -> None:
+    done = room("A canteen kitchen with a serving trolley with eight microwaves on it.")
+    assert [said for said in shortfalls(done.report) if "on serving_trolley_1" in said]
 
 
 @pytest.mark.slow

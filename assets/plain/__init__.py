@@ -38,6 +38,8 @@ _HOLDING = {
     "rack": "tiered",
 }
 """The form that a solid has when it is told to hold others, by the shape."""
+_GROUPS: Mapping[str, tuple[str, ...]] = {"shelves": ("tiered",)}
+"""The groups of what has a shape, besides those of where it is kept."""
 _WORDS = 5
 """The column of the words, which a line need not have."""
 
@@ -119,7 +121,7 @@ def _kind(shape: str, place: str, square: bool) -> Category:
         low=0.4,
         high=2.5,
         plain=True,
-        groups=kept.groups,
+        groups=(*kept.groups, *_GROUPS.get(shape, ())),
         habits=kept.habits,
         hanging=kept.hanging,
         gaze=kept.gaze,

@@ -70,6 +70,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     lower(members)
     carry_to_wall(members)
     count_off(members)
+    _leave_middles(members)
     ordered = _ordered(members)
     due = _due(members, ordered)
     targets = tuple(_target(member, members, room.height, due.get(member.id, ())) for member in ordered)
@@ -237,6 +238,16 @@ def _wait_for(members: Members, run: Sequence[str]) -> None:
         before = any(tie.kind == "in_front_of" and not set(run).isdisjoint(tie.anchors) for tie in member.ties)
         if before and member.mount == "floor" and not any(members.depends(part, member) for part in parts):
             member.waits.update(run)
+
+
+def _leave_middles(members: Members) -> None:
+    """What is only asked to be on a thing comes after what is asked to be in the middle of that."""
+    for central in members.all:
+        tops = {a for tie in central.ties if tie.asked and tie.kind == "in_centre" for a in tie.anchors if is_object(a)}
+        for other in members.all if tops else ():
+            on = {a for tie in other.ties if tie.kind == "on" for a in tie.anchors}
+            if other.request is not central.request and on & tops and not members.depends(central, other):
+                other.waits.add(central.id)
 
 
 def _is_dependent(member: Member) -> bool:

@@ -84,26 +84,34 @@ def _carrier_of_neighbour(draft: Draft, bond: Bond) -> Bond | None:
         return None
     if _is_placed(draft, bond.subject) or (beside.many and not bond.each):
         return None
-    lies = next((b for b in draft.bonds_of(beside) if _lies(b) and b.anchors[0] is not bond.subject), None)
+    small = _lies_only(bond.subject)
+    bonds = draft.bonds_of(beside)
+    lies = next((b for b in bonds if _lies(b, screens=small) and b.anchors[0] is not bond.subject), None)
     return lies if lies is not None and _has_room_for_both(lies, bond.subject) else None
+
+
+def _lies_only(thing: Mention) -> bool:
+    """Whether it is never anywhere but on other things, as a keyboard is."""
+    return all(habit.kind == "on" for habit in load_habits().of(thing.noun))
 
 
 def _has_room_for_both(lies: Bond, thing: Mention) -> bool:
     """Whether what lies on a thing leaves room for another there, which might as well stand on the floor."""
     carrier = lies.anchors[0]
     assert isinstance(carrier, Mention)
-    if carrier.noun in GENERAL_WORDS or all(habit.kind == "on" for habit in load_habits().of(thing.noun)):
+    if carrier.noun in GENERAL_WORDS or _lies_only(thing):
         return True
     areas = [math.prod(kind_of(each.noun).size[:2]) for each in (lies.subject, thing, carrier)]
     return areas[0] + areas[1] <= areas[2]
 
 
-def _lies(bond: Bond) -> bool:
-    """Whether it says that something small lies on a thing."""
+def _lies(bond: Bond, *, screens: bool = False) -> bool:
+    """Whether it says that something small, or a screen too, lies on a thing."""
     under = bond.anchors[0] if len(bond.anchors) == 1 else None
     if bond.kind != "on" or bond.negated or not isinstance(under, Mention):
         return False
-    return not load_habits().is_in(under.noun, "covers") and not load_habits().is_in(bond.subject.noun, "screens")
+    screen = load_habits().is_in(bond.subject.noun, "screens")
+    return not load_habits().is_in(under.noun, "covers") and (screens or not screen)
 
 
 def _can_lie(thing: Mention) -> bool:

@@ -39,6 +39,10 @@ SEAT_GAP = 0.4
 """Largest gap of a seat drawn up to a table; handbooks pull a chair out by 0.3 to 0.4 to sit down."""
 CENTRE_SHARE = 0.25
 """Largest offset from the centre along each axis, as a share of the extent: the middle half."""
+MIDDLE = 0.294
+"""Largest offset from the middle of a thing; SceneEval middle_of, where its score is a half [m]."""
+SCORE_OF_HALF = math.sqrt(2.0 * math.log(2.0))
+"""Times the spread of SceneEval's middle of a room, which grows with the thing: where its score is a half."""
 END_SHARE = 1 / 6
 """Smallest offset from the middle of what lies at one side of a top, as a share of its extent: the outer thirds."""
 UNDER_SHARE = 0.2
@@ -142,8 +146,8 @@ def _far(room: Room) -> Pair:
 def _on_side(x: int, y: int, reach: float) -> Pair:
     """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners.
 
-    What hangs behind a desk that is drawn up to the wall hangs over its edge. What lies on the anchor is at that side
-    of its top.
+    What hangs behind a desk that is drawn up to the wall hangs over its edge, no more than over a quarter of it, and
+    not on another wall. What lies on the anchor is at that side of its top.
     """
 
     def pair(subject: Landmark, anchor: Landmark) -> Finding:
@@ -155,11 +159,17 @@ def _on_side(x: int, y: int, reach: float) -> Pair:
         forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
         half, half_across = anchor.half if x else anchor.half[::-1]
         beyond, past = forward - half, max(across - half_across, 0.0)
-        least = -half if subject.hung and not anchor.hung else -CONTACT
+        over = subject.hung and not anchor.hung and (not x or _faces_from(subject, anchor, x))
+        least = -half / 2 if over else -CONTACT
         aligned = beyond >= least and past <= max(beyond, 0.0) + CONTACT
         return aligned and ground_gap(subject, anchor) <= reach + ROUNDING, gap_text(subject, anchor)
 
     return pair
+
+
+def _faces_from(subject: Landmark, anchor: Landmark, x: int) -> bool:
+    """Whether something on a wall is at the front (1) or the back (-1) of the anchor by the way it looks."""
+    return turn_between(subject.yaw, anchor.yaw + (180.0 if x > 0 else 0.0)) <= FACING_AWAY + ROUNDING
 
 
 _BEFORE, _BEHIND = _on_side(1, 0, NEAR), _on_side(-1, 0, NEAR)
@@ -328,7 +338,22 @@ def _in_corner(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _in_centre(subject: Landmark, anchor: Landmark) -> Finding:
-    """In the middle half of the room, of a wall's length, or of what carries it."""
+    """In the middle half of the room, of a wall's length, or of what carries it, and about the very middle of those."""
+    holds, text = _about_centre(subject, anchor)
+    x, y = anchor.to_local(subject.centre)
+    return holds and (anchor.kind == "wall" or math.hypot(x, y) <= _off_centre(subject, anchor) + ROUNDING), text
+
+
+def _off_centre(subject: Landmark, anchor: Landmark) -> float:
+    """How far from the middle of a room or a thing the middle of something may be that is there [m]."""
+    if anchor.kind == "object":
+        return MIDDLE
+    large, side = 2 * max(subject.half), sum(anchor.half)
+    return SCORE_OF_HALF * (0.5 * large + 1.0 - large / side)
+
+
+def _about_centre(subject: Landmark, anchor: Landmark) -> Finding:
+    """In the middle half, be it away from the very middle."""
     x, y = (abs(offset) for offset in anchor.to_local(subject.centre))
     reach_x, reach_y = (AGAINST_WALL if half == 0.0 else half * 2 * CENTRE_SHARE for half in anchor.half)
     if anchor.kind == "wall":
@@ -391,4 +416,5 @@ _DENIED: dict[RelationKind, Pair] = {
     "next_to": _close_by,
     "above": _nearly_above,
     "under": _partly_under,
+    "in_centre": _about_centre,
 }

@@ -99,6 +99,8 @@ _OPEN_SIDES, _DRAWN_UP = 2, 0.5
 """Seats at the sides of a table in a corner that are open, and floor for one between the table and a wall [m]."""
 GATHERED = 1.0
 """Cost per metre from a low table to a lounge seat that stands by a wall instead of before the table."""
+OFF_CENTRE = 1.0
+"""Cost per metre away from the middle of the room, besides the usual, of what is asked to be there."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -278,7 +280,7 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
     if tie.kind == "in_corner" or place == "corner":
         return _in_corner(situation, tie)
     if not situation.asset.collides or place == "centre":
-        return open_floor.grid(situation, step=0.1)
+        return _amid_room(situation)
     if place == "floor":
         return _strewn(situation) if situation.asset.mount == "surface" else anywhere(situation)
     if tie.kind == "opposite" and place in ("window", "door"):
@@ -614,6 +616,14 @@ def _in_middle_of(situation: Situation, anchor: Placement, tie: Tie) -> Iterable
     return surfaces.on_surfaces(situation, anchor, tie)
 
 
+def _amid_room(situation: Situation) -> Iterator[Idea]:
+    """On the floor, the nearer to the middle the better, and more so where it is asked to be there."""
+    middle = situation.room.polygon.centroid.coords[0]
+    asked = any(tie.asked and tie.kind == "in_centre" for tie in situation.target.ties)
+    for idea in open_floor.grid(situation, step=0.1):
+        yield _dearer(idea, OFF_CENTRE * math.dist(idea.position[:2], middle) if asked else 0.0)
+
+
 def _outside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """On the floor by any of its sides."""
     yield from beside.sides_of(situation, anchor, ("front", "left", "right", "back"), gaps=(0.08, 0.18, 0.3))
@@ -699,7 +709,7 @@ _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
     "in_corner": walls.corners,
     "facing": open_floor.grid,
     "back_to_back": open_floor.grid,
-    "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
+    "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else _amid_room(s),
 }
 _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
     "floor": anywhere,

@@ -5,6 +5,7 @@ The figures are the handbook guidelines of interior layout (Neufert; Time-Saver 
 what cannot be.
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -264,6 +265,9 @@ def _unmet(situation: Situation, idea: Idea) -> float:
 
 def _away(scene: Layout, id: str, tie: Tie) -> float:
     """What it costs by how much a thing misses what it is to be close by: better two metres than ten."""
+    if tie.kind == "in_centre" and tie.anchors == ("centre",):
+        middle = scene.room.polygon.centroid.coords[0]
+        return min(FAR_OFF, MISSED_BY * math.dist(scene[id].position[:2], middle))
     if tie.kind not in ("next_to", "near", "in_front_of") or not all(anchor in scene for anchor in tie.anchors):
         return 0.0
     own = scene[id].footprint

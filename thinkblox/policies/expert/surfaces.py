@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Target, Tie
+from thinkblox.plan import Target, Tie, carries
 from thinkblox.policies.expert.ground import TOUCH
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.judge import boxes, depth_in_others
@@ -23,6 +23,9 @@ EDGE = 0.03
 """Kept free at the edge of a surface where there is room [m]."""
 OVERHANG = 0.02
 """Half of how far a thing may reach over the front edge [m]: feet stand inside its outline."""
+SLIGHTLY_OVER = 0.006
+"""How far things reach over an edge of a surface on which not all that are to be there would have room else [m]."""
+EXACT = 1e-6
 APART = 0.02
 """Left between things side by side [m]."""
 CROWDED, CROWDED_BY_ONES = 0.3, 0.5
@@ -66,7 +69,7 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
     if tie.kind == "inside" or not tops or _is_of_boards(anchor, surfaces):
         yield from _on_those(situation, anchor, tie, surfaces)
         return
-    below = tuple(s for s in surfaces if s.headroom is not None)
+    below = tuple(s for s in surfaces if s.headroom is not None) or _lower_boards(situation, anchor)
     if facts_of(anchor.category).is_in("beds"):
         tops, below = tops[:1], (*tops[1:], *below)
     high = not tie.asked and any(anchor.position[2] + top.position[2] > REACHED for top in tops)
@@ -78,6 +81,12 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
     yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, then))
 
 
+def _lower_boards(situation: Situation, anchor: Placement) -> tuple[Surface, ...]:
+    """The open boards under the top of a thing, for what has no room on that."""
+    asset = situation.scene.asset_of(anchor)
+    return () if asset.opens else tuple(s for s in asset.surfaces if s.within and s.headroom is not None)
+
+
 def _is_of_boards(anchor: Placement, surfaces: tuple[Surface, ...]) -> bool:
     """Whether it is nothing but shelves, of which the topmost is one: things are on any of them."""
     return facts_of(anchor.category).is_in("shelves") and len(_alike(surfaces)) == len(surfaces)
@@ -85,7 +94,7 @@ def _is_of_boards(anchor: Placement, surfaces: tuple[Surface, ...]) -> bool:
 
 def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...]) -> Iterator[Idea]:
     """Places on some surfaces of the anchor, at the largest size that has room there beside what is there already."""
-    shares = SHRINK[:1] if any(situation.target.size) else shares_of(situation.size, situation.observation.sizes)
+    shares = shares_of(situation.size, situation.observation.sizes) if _may_shrink(situation) else SHRINK[:1]
     for step, share in enumerate(shares):
         size = scaled(situation.size, share)
         if share > shares[-1] and not _room_for_all(situation, surfaces, size, tie):
@@ -98,6 +107,16 @@ def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple
         yield from ideas
         if ideas and bool((depth_in_others(situation, ideas, boxes(situation, ideas)) <= TOUCH).any()):
             return
+
+
+def _may_shrink(situation: Situation) -> bool:
+    """Whether nobody says how large it is, and it is not made for what is to be on, in or under it."""
+    target = situation.target
+    if not any(target.size):
+        return True
+    asked = (r for r in situation.observation.plan.brief.requests if r.key == target.request and any(r.size))
+    ties = (tie for later in situation.followers for tie in later.ties if target.id in tie.anchors)
+    return next(asked, None) is None and not any(carries(tie) or tie.kind == "under" for tie in ties)
 
 
 def on_its_like(situation: Situation, lower: Placement) -> Iterator[Idea]:
@@ -136,12 +155,14 @@ def _looks_ahead(situation: Situation) -> bool:
     return situation.facts.is_in("screens")
 
 
-def _fitting(surface: Surface, size: Vec2) -> int:
-    """How many things of a size fit on a surface in lines, or on a round one in a line or a ring."""
+def _fitting(surface: Surface, size: Vec2, *, tight: bool = True) -> int:
+    """How many things of a size fit on a surface in lines, or on a round one in a line or a ring; see `_free_half`."""
     if surface.round:
         return max(_in_disc(min(surface.size) / 2, size), 1)
-    deep = int((surface.size[0] + 2 * OVERHANG) / size[0])
-    return deep * int(surface.size[1] / (size[1] + APART))
+    free = _free_half(size, surface, tight=tight)
+    if free is None:
+        return 0
+    return (1 + int(2 * free[0] / (size[0] + CLOSE) + EXACT)) * (1 + int(2 * free[1] / (size[1] + CLOSE) + EXACT))
 
 
 def _only_turned(surfaces: Sequence[Surface], plan: Vec2, tie: Tie) -> bool:
@@ -195,11 +216,12 @@ def _at_size(
     shelves = len(_alike(surfaces)) if tie.count > 1 else 1
     passed = (anchor.id, *situation.seats, *situation.enclosing(anchor))
     discs = _discs_on(situation, anchor) if _is_disc(situation.asset.front, size) else ()
+    tight = tie.count > 1 and sum(_fitting(s, size[:2], tight=False) for s in surfaces) < tie.count
     (ox, oy), stands = foot or _Foot((0.0, 0.0), (size[0], size[1]))
     for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
             plan = stands if turn % 180.0 == 0.0 else (stands[1], stands[0])
-            free = _free_half(plan, surface)
+            free = _free_half(plan, surface, tight=tight)
             if free is None:
                 continue
             forward = max(0.0, (plan[0] - surface.size[0]) / 2)
@@ -271,11 +293,17 @@ def _against_wall(situation: Situation, anchor: Placement) -> bool:
     return any(abs(wall.coordinates(back)[1]) < 0.4 for wall in situation.room.walls)
 
 
-def _free_half(plan: Vec2, surface: Surface) -> Vec2 | None:
-    """Half extents over which the middle of what is so deep and wide may move; None when it does not fit at all."""
+def _free_half(plan: Vec2, surface: Surface, *, tight: bool = False) -> Vec2 | None:
+    """Half extents over which the middle of what is so deep and wide may move; None when it does not fit at all.
+
+    Where it is tight, no edge is kept free, and what is no hollow has things a little over its edge.
+    """
     half = ((surface.size[0] - plan[0]) / 2, (surface.size[1] - plan[1]) / 2)
     if min(half) < -OVERHANG:
         return None
+    if tight:
+        over = 0.0 if surface.within or surface.round else SLIGHTLY_OVER
+        return (max(0.0, half[0]) + over, max(0.0, half[1]) + over)
     edge = CLOSE if surface.within and not surface.round else EDGE
     margin_x, margin_y = min(edge, max(0.0, half[0]) / 2), min(edge, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
@@ -298,8 +326,10 @@ def _spots(
         marked = _spread(tie, surface, free, shelves, plan, turns=situation.asset.front == "any")
         if _looks_ahead(situation) and marked[0][0] == 0.0:
             marked = ((way * situation.facts.spots[0][0], marked[0][1]),)
-    if aside := way * _leaving_room(situation, surface):
-        marked = ((marked[0][0] if marked else 0.0, aside),)
+    ends = [way * _leaving_room(situation, surface, axis) for axis in (0, 1)]
+    if any(ends):
+        usual = marked[0] if marked else (0.0, 0.0)
+        marked = ((ends[0] or usual[0], ends[1] or usual[1]),)
     elif surface.headroom is None and (tie.kind == "on" or (tie.kind == "inside" and not surface.round)):
         marked = _share_of(situation, anchor, surface, free, tie) or marked
     marked = (*_before_who_works(situation, anchor, surface, free, marked, tie), *marked)
@@ -355,16 +385,22 @@ def _beside_others(
                 yield (0.0, v), BESIDE_OTHERS
 
 
-def _leaving_room(situation: Situation, surface: Surface) -> float:
-    """To which end of a surface it goes, from -1 to 1, so that another thing has room at one side of it; 0 for none."""
-    own, kinds = situation.target.id, ("left_of", "right_of")
+def _leaving_room(situation: Situation, surface: Surface, axis: int) -> float:
+    """To which end of a surface it goes, from -1 to 1, so that another thing has room at one side of it; 0 for none.
+
+    Args:
+        situation: of what is placed.
+        surface: where.
+        axis: 0 for what is to be before or behind it, 1 for what is to be left or right of it.
+    """
+    own, kinds = situation.target.id, [kind for kind, way in SIDES_OF_TOP.items() if way[axis]]
     later = [(t, tie.kind) for t in situation.followers for tie in t.ties if own in tie.anchors and tie.kind in kinds]
     if len({kind for _, kind in later}) != 1:
         return 0.0
-    width = sum(situation.kind(target).size[1] + APART for target, _ in later)
-    if (surface.size[1] - situation.size[1]) / 2 >= width:
+    beside = [situation.kind(target).size[axis] + APART for target, _ in later]
+    if (surface.size[axis] - situation.size[axis]) / 2 >= (sum(beside) if axis else max(beside)):
         return 0.0
-    return 1.0 if later[0][1] == "right_of" else -1.0
+    return -SIDES_OF_TOP[later[0][1]][axis]
 
 
 def _side_of_top(situation: Situation, anchor: Placement) -> Vec2 | None:
