@@ -137,3 +137,17 @@ def test_looks_of_one_row() -> None:
     brief = read_brief("Three rows of four chairs. The chairs in the last row are red.")
     assert {r.attributes: r.count for r in brief.requests} == {("red",): 4, (): 8}
     assert any("the last row" in said for said in brief.unknown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "untold"),
+    [
+        ("A small cinema with three rows of five seats, the back row raised.", "raised"),
+        ("A hall with three rows of red seats, the front row blue.", "the front row"),
+        ("An auditorium with ten rows of twelve seats with an aisle in the middle.", "an aisle in the middle"),
+    ],
+)
+def test_what_is_told_of_one_row_is_not_lost(prompt: str, untold: str) -> None:
+    brief = read_brief(prompt)
+    assert untold in "; ".join(brief.unknown)
+    assert {r.kind for r in brief.relations if r.asked} == {"in_rows"}

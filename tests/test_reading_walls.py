@@ -61,3 +61,19 @@ def test_what_a_room_is_home_to_is_in_it(words: str):
     assert brief.room_type == "living_room"
     assert {r.category: r.count for r in brief.requests if r.asked} == {"sofa": 2, "piano": 1}
     assert not [r for r in brief.relations if r.asked]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom with the bed's head against the north wall.",
+        "There is a bed. Its head is against the north wall.",
+        "There is a bed. The bed's head is against the north wall.",
+    ],
+)
+def test_a_bed_stands_where_its_head_does(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert not brief.unknown
+    assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked] == [
+        ("against_wall", "bed", ("north_wall",))
+    ]

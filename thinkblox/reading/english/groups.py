@@ -45,7 +45,8 @@ class Groups(Descriptions):
             if between is not None and between.kind == "pronoun":
                 self._go_past(between)
                 return
-        if self.separator and self.frontier and self._is_link(self.peek(), "prepositions", *_PLACING):
+        joined = self.separator or self._is_link(self._before(), "prepositions", "with")
+        if joined and self.frontier and self._is_link(self.peek(), "prepositions", *_PLACING):
             after = self._next_noun(1)
             if after is not None and after.kind in ("place", "part", "thing"):
                 self._lose(noun.start, after.end)

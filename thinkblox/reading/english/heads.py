@@ -153,6 +153,9 @@ class Heads(Modifiers):
         noun.value = identifier_of(noun_of(" ".join([*types, *last[:-1], singular(last[-1])])))
 
     def _people_or_abstract(self, noun: Noun, words: list[str]) -> bool:
+        if noun.det == "the" and self._is_row_told_of(noun):
+            noun.kind, noun.rows = "number", -1
+            return True
         if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
             noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
             return True
@@ -175,6 +178,12 @@ class Heads(Modifiers):
             noun.kind, noun.value = "abstract", " ".join(words)
             return True
         return False
+
+    def _is_row_told_of(self, noun: Noun) -> bool:
+        """Whether a row is named of which more is told: "the back row | raised"; goes no further then."""
+        at = next((n for n in range(noun.start + 1, noun.end - 1) if self.tokens[n].text == "row"), 0)
+        noun.end = at + 1 if at else noun.end
+        return bool(at)
 
     def _is_thing_alone(self, noun: Noun, words: list[str]) -> bool:
         """Whether it is a painter's palette, rather than the colours of a room: nothing is said of it."""
