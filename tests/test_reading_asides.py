@@ -78,3 +78,36 @@ def test_one_thing_for_all_that_is_told(prompt: str, things: dict[str, int], rel
 )
 def test_part_stands_for_the_thing(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("A bedroom for my daughter who loves horses: a bed and a desk.", {"bed", "desk"}),
+        ("A room for a boy who likes dinosaurs and trains, with a bed.", {"bed"}),
+        ("My son is into dinosaurs; he needs a bed and a desk.", {"bed", "desk"}),
+        ("The kids love books, toys and puzzles. There is a sofa.", {"sofa"}),
+        ("A bedroom for a fan of trains with a bed.", {"bed"}),
+        ("He likes to read, so there is an armchair.", {"armchair"}),
+        ("Grandma likes flowers and has a rocking chair.", {"rocking_chair"}),
+        ("I'd love two armchairs and a sofa.", {"armchair", "sofa"}),
+        ("The owner collects clocks. The room has a sofa.", {"clock", "sofa"}),
+        ("A living room with a view of the garden and a sofa.", {"sofa"}),
+        ("A study with a window onto the courtyard and a desk.", {"desk"}),
+        ("A kitchen that opens onto the garden, with a stove.", {"stove"}),
+        ("A hallway leading to the kitchen with a console table.", {"console_table"}),
+        ("A room on the second floor with a bed.", {"bed"}),
+        ("There is a door to the balcony and a bench next to it.", {"bench"}),
+    ],
+)
+def test_what_people_like_and_what_is_outside_asks_for_nothing(prompt: str, things: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category for r in brief.requests if r.asked} == things
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize("words", ["faces the garden", "stands by the lake", "is on the first floor of the dollhouse"])
+def test_what_stands_by_what_is_outside_is_told(words: str) -> None:
+    brief = read_brief(f"A sofa {words}.")
+    assert {r.category for r in brief.requests if r.asked} == {"sofa"}
+    assert brief.unknown

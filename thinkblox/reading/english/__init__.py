@@ -41,12 +41,14 @@ from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.likings import with_likings
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
+from thinkblox.reading.english.outside import with_outside
 from thinkblox.reading.english.own_places import with_own_places
 from thinkblox.reading.english.part_subjects import with_part_subjects
 from thinkblox.reading.english.parts_of import with_wholes
@@ -192,6 +194,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_likings,
+        with_outside,
         with_two_colours,
         with_as_many,
         with_pictured,

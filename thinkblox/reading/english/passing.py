@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 from thinkblox.reading.tokens import Token
 
@@ -30,7 +31,8 @@ def with_owners(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _is_owning(tokens: Sequence[Token], at: int) -> bool:
-    return tokens[at].text in _OWNING and at > 0 and tokens[at - 1].text in _OWNERS
+    who = tokens[at - 1].text if at and tokens[at].text in _OWNING else ""
+    return who in _OWNERS or (bool(who) and not tokens[at - 1].owner and grammar().knows(who, "people"))
 
 
 def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
