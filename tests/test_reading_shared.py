@@ -732,3 +732,26 @@ def test_the_larger_and_the_smaller_are_two() -> None:
     brief = read_brief("The larger table is round and the smaller table is square.")
     looks = {r.attributes for r in brief.requests if r.category == "dining_table"}
     assert looks == {("large", "round"), ("small", "square")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("Objects: bed (1), nightstand (2), lamp (2).", {"bed": 1, "nightstand": 2, "table_lamp": 2}),
+        ("Chairs (4), tables (2).", {"chair": 4, "dining_table": 2}),
+        ("Lamps frame the bed on both sides.", {"floor_lamp": 1, "floor_lamp-2": 1, "bed": 1}),
+        ("Inside are two beds and a wardrobe.", {"bed": 2, "wardrobe": 1}),
+    ],
+)
+def test_numbers_told_after_and_on_both_sides(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+def test_shelves_of_nothing_are_shelves() -> None:
+    said = "The upper shelf holds books and the lower shelf holds boxes."
+    brief = read_brief(said, fill="named")
+    assert {r.category for r in brief.requests} == {"bookcase", "book", "shelving_unit", "box"}
+    assert {w for r in brief.requests for w in r.unshown} == {"upper", "lower"}
+    brief = read_brief(f"A bookcase. {said}", fill="named")
+    assert related(brief) == {"book inside bookcase", "box inside bookcase"}
+    assert brief.unknown == ("The upper shelf", "the lower shelf")

@@ -61,3 +61,19 @@ def test_what_a_room_is_home_to_is_in_it(words: str):
     assert brief.room_type == "living_room"
     assert {r.category: r.count for r in brief.requests if r.asked} == {"sofa": 2, "piano": 1}
     assert not [r for r in brief.relations if r.asked]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bench runs the length of the wall.", ("bench", "against_wall", ("wall",))),
+        ("A counter running the full length of the left wall.", ("counter", "against_wall", ("left_wall",))),
+        ("The walls are decorated with paintings.", ("picture", "against_wall", ("wall",))),
+        ("One wall is covered in mirrors.", ("mirror", "against_wall", ("one_wall",))),
+        ("A row of lockers lines the hallway.", ("locker", "against_wall", ("wall",))),
+    ],
+)
+def test_what_lines_or_covers_a_wall_is_along_it(prompt: str, relation: tuple[str, str, tuple[str, ...]]):
+    brief = read_brief(prompt)
+    assert relation in {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
+    assert brief.unknown == ()

@@ -23,6 +23,7 @@ from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.collectives import with_collectives
+from thinkblox.reading.english.counted_after import with_counts_after
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
@@ -129,6 +130,20 @@ _WANTED = re.compile(
 """What else begins to say what is wanted."""
 _PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
 """There is what comes."""
+_INSIDE = re.compile(r"^inside,? (?=(?:is|are|there|you|we)\b)", re.IGNORECASE)
+"""In the room, where nothing was named yet."""
+_LENGTH_OF = re.compile(
+    r"\b(?:run(ning|s)?|stretch(ing|es)?|extend(ing|s)?|span(ning|s)?) (?:along )?the "
+    r"(?:full |whole |entire )?length of(?= (?:the|one|a)\b)",
+    re.IGNORECASE,
+)
+"""What is as long as a wall."""
+_SEATED_AT = re.compile(
+    r"\b(?:at|around|on) which (?:up to )?(\w+) (?:people|persons|guests|students|children|adults) can "
+    r"(?:sit|eat|work|dine|be seated)\b",
+    re.IGNORECASE,
+)
+"""How many have a place at a table."""
 _NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
 """What comes then."""
 _BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
@@ -174,6 +189,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _OF_WHICH.sub(lambda match: f"{match[1].lower()} of which".ljust(len(match[0])), text)
     text = _WANTED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _PRESENT.sub(lambda match: f"there {match[1].lower()}".ljust(len(match[0])), text)
+    text = _INSIDE.sub(lambda match: "here".ljust(len(match[0])), text)
+    text = _LENGTH_OF.sub(lambda match: _along(match).ljust(len(match[0])), text)
+    text = _SEATED_AT.sub(lambda match: f"that seats {match[1]}".ljust(len(match[0])), text)
     text = _NEXT.sub("then", text)
     text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
     text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
@@ -194,6 +212,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_broken_off,
         with_two_colours,
         with_as_many,
+        with_counts_after,
         with_pictured,
         with_respective,
         with_collectives,
@@ -314,6 +333,12 @@ def _and_half(number: str) -> str:
 def _turned_so(verb: str) -> str:
     """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
     return "facing " if verb.lower().startswith("fac") else "looking "
+
+
+def _along(said: re.Match[str]) -> str:
+    """The verb or participle and the preposition for "runs the length of"."""
+    ending = next((group for group in said.groups() if group), "")
+    return f"{'running' if ending.endswith('ing') else 'runs' if ending else 'run'} along"
 
 
 def _full_height(said: re.Match[str]) -> str:
