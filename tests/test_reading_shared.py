@@ -755,3 +755,33 @@ def test_shelves_of_nothing_are_shelves() -> None:
     brief = read_brief(f"A bookcase. {said}", fill="named")
     assert related(brief) == {"book inside bookcase", "box inside bookcase"}
     assert brief.unknown == ("The upper shelf", "the lower shelf")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "One lamp is on the desk and one is on the floor.",
+            {"desk_lamp": 1, "desk": 1, "floor_lamp": 1},
+            {"desk_lamp on desk", "floor_lamp on floor"},
+        ),
+        (
+            "A lamp stands on the desk. A second one hangs from the ceiling.",
+            {"desk_lamp": 1, "desk": 1, "pendant_lamp": 1},
+            {"desk_lamp on desk", "pendant_lamp on ceiling"},
+        ),
+        (
+            "There are three lamps. One is on the desk, one is on the floor and a third hangs from the ceiling.",
+            {"desk_lamp": 1, "desk": 1, "floor_lamp": 1, "pendant_lamp": 1},
+            {"desk_lamp on desk", "floor_lamp on floor", "pendant_lamp on ceiling"},
+        ),
+        (
+            "There is one table per four chairs; there are eight chairs.",
+            {"dining_table": 2, "chair": 8},
+            set(),
+        ),
+        ("All but one of the six chairs face the door.", {"chair": 5, "chair-2": 1}, {"chair facing door"}),
+    ],
+)
+def test_one_more_and_all_but_one(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -43,8 +43,10 @@ from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.next_things import with_next_things
+from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
@@ -212,7 +214,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_broken_off,
         with_two_colours,
         with_as_many,
+        with_none_of,
         with_counts_after,
+        with_one_more,
         with_pictured,
         with_respective,
         with_collectives,

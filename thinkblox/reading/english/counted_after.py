@@ -1,9 +1,9 @@
-"""Numbers in brackets after what they count: "nightstand (2), lamp (1)"."""
+"""Numbers and sizes told after what they are of: "nightstand (2)", "the rug measures 2 m by 3 m"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
 from thinkblox.reading.english.said import is_link
 
 _SIDES = ("each", "either", "both")
@@ -21,10 +21,20 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
             at += 3
         elif _is_both_sides(chunks, at):
             at += 2
+        elif _is_measuring(chunks, at):
+            made.append(Connector("verbs", "be", chunks[at].start, chunks[at].end, "is"))
+            at += 1
         else:
             made.append(chunks[at])
             at += 1
     return made
+
+
+def _is_measuring(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a thing measures what comes."""
+    thing, measures, size = (None, *chunks)[at : at + 3] if at + 1 < len(chunks) else (None, None, None)
+    verb = isinstance(measures, Noun) and measures.text.lower() in ("measures", "measure")
+    return isinstance(thing, Noun) and thing.kind == "thing" and verb and isinstance(size, Measured)
 
 
 def _number(said: Sequence[Chunk]) -> int:
