@@ -77,3 +77,33 @@ def test_what_lines_or_covers_a_wall_is_along_it(prompt: str, relation: tuple[st
     brief = read_brief(prompt)
     assert relation in {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "walls"),
+    [
+        (
+            "The left side of the room has a bed and the right side has a desk.",
+            {("bed", "left_wall"), ("desk", "right_wall")},
+        ),
+        (
+            "The left half of the room has a bed, and the right half has a desk.",
+            {("bed", "left_wall"), ("desk", "right_wall")},
+        ),
+        ("The left has a bed, the right has a desk.", {("bed", "left_wall"), ("desk", "right_wall")}),
+        (
+            "The front of the room has a blackboard and the back has a wardrobe.",
+            {("blackboard", "near_wall"), ("wardrobe", "far_wall")},
+        ),
+    ],
+)
+def test_sides_of_the_room_have_what_is_said(prompt: str, walls: set[tuple[str, str]]):
+    brief = read_brief(prompt)
+    assert {(r.subject, str(r.anchors[0])) for r in brief.relations if r.asked} == walls
+    assert brief.unknown == ()
+
+
+def test_the_left_of_two_things_is_no_side_of_the_room():
+    brief = read_brief("The bed has two nightstands. The left has a lamp and the right has a book.")
+    told = {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
+    assert {("table_lamp", "on", ("nightstand",)), ("book", "on", ("nightstand-2",))} <= told

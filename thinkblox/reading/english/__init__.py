@@ -48,6 +48,7 @@ from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
+from thinkblox.reading.english.opening_places import with_opening_places
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.own_places import with_own_places
@@ -61,6 +62,7 @@ from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
+from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -222,6 +224,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_room_sides,
+        with_opening_places,
         with_part_subjects,
         with_own_places,
         with_ways,
