@@ -103,3 +103,49 @@ def test_what_is_turned_away_and_toward_faces_both_as_said() -> None:
 )
 def test_pots_of_a_kitchen_are_to_cook_in(prompt: str, kind: str) -> None:
     assert kind in {r.category for r in read_brief(prompt).requests if r.asked}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("The window is next to the bed.", ("bed", "next_to", ("window",))),
+        ("The window is to the left of the bed.", ("bed", "right_of", ("window",))),
+        ("The door is opposite the desk.", ("desk", "opposite", ("door",))),
+        ("The window is behind the desk.", ("desk", "next_to", ("window",))),
+        ("A window is to the right of the wardrobe.", ("wardrobe", "left_of", ("window",))),
+    ],
+)
+def test_where_an_opening_is_tells_where_a_thing_is(prompt: str, relation: tuple[str, str, tuple[str, ...]]) -> None:
+    brief = read_brief(prompt)
+    assert [(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked] == [relation]
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "openings"),
+    [
+        ("A bed. The door is on the left.", [("door", "left_wall")]),
+        ("A bed. The door is at the back.", [("door", "far_wall")]),
+        (
+            "A room with a window on the left and a door on the right.",
+            [("window", "left_wall"), ("door", "right_wall")],
+        ),
+    ],
+)
+def test_an_opening_on_the_left_is_in_that_wall(prompt: str, openings: list[tuple[str, str]]) -> None:
+    brief = read_brief(prompt)
+    assert [(o.kind, o.wall) for o in brief.openings] == openings
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unknown"),
+    [
+        ("A bed and a desk. A door leads to the garden.", "leads to the garden"),
+        ("A bed and a desk. The window is between the bed and the desk.", "is between the bed"),
+    ],
+)
+def test_what_is_not_made_of_an_opening_is_told(prompt: str, unknown: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert brief.unknown == (unknown,)
+    assert {r.category for r in brief.requests} == {"bed", "desk"}

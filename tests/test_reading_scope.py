@@ -346,3 +346,32 @@ def test_it_is_furniture_that_others_stand_to(prompt: str, relation: tuple[str, 
 def test_which_of_two_is_meant(prompt: str, red: str) -> None:
     brief = read_brief(prompt, fill="named")
     assert [r.key for r in brief.requests if "red" in r.attributes] == [red]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked", "excluded"),
+    [
+        ("There are two tables. None of them has a lamp.", {"dining_table": 2}, "any_lamp"),
+        ("None of the tables has a lamp. There are two tables.", {"dining_table": 2}, "any_lamp"),
+        ("There are two tables. No table has a lamp.", {"dining_table": 2}, "any_lamp"),
+        ("Four desks, none of which has a monitor on it.", {"desk": 4}, "monitor"),
+        ("Four desks, none of which has a monitor.", {"desk": 4}, "monitor"),
+        ("A bed. None of the walls has a painting.", {"bed": 1}, "picture"),
+    ],
+)
+def test_what_none_of_them_has_is_not_there(prompt: str, asked: dict[str, int], excluded: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == asked
+    assert excluded in brief.excluded
+    assert brief.unknown == ()
+
+
+def test_none_of_the_walls_has_a_window() -> None:
+    brief = read_brief("A bed. None of the four walls has a window.")
+    assert [(o.kind, o.count) for o in brief.openings] == [("window", 0)]
+
+
+def test_what_none_of_them_has_and_others_have_is_told() -> None:
+    brief = read_brief("A lamp on a desk and two tables. None of the tables has a lamp.", fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"desk_lamp": 1, "desk": 1, "dining_table": 2}
+    assert brief.unknown == ("None of the tables has a lamp",)

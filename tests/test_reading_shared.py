@@ -742,3 +742,56 @@ def test_the_larger_and_the_smaller_are_two() -> None:
     brief = read_brief("The larger table is round and the smaller table is square.")
     looks = {r.attributes for r in brief.requests if r.category == "dining_table"}
     assert looks == {("large", "round"), ("small", "square")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("Objects: bed (1), nightstand (2), lamp (2).", {"bed": 1, "nightstand": 2, "table_lamp": 2}),
+        ("Chairs (4), tables (2).", {"chair": 4, "dining_table": 2}),
+        ("Lamps frame the bed on both sides.", {"floor_lamp": 1, "floor_lamp-2": 1, "bed": 1}),
+        ("Inside are two beds and a wardrobe.", {"bed": 2, "wardrobe": 1}),
+    ],
+)
+def test_numbers_told_after_and_on_both_sides(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+def test_shelves_of_nothing_are_shelves() -> None:
+    said = "The upper shelf holds books and the lower shelf holds boxes."
+    brief = read_brief(said, fill="named")
+    assert {r.category for r in brief.requests} == {"bookcase", "book", "shelving_unit", "box"}
+    assert {w for r in brief.requests for w in r.unshown} == {"upper", "lower"}
+    brief = read_brief(f"A bookcase. {said}", fill="named")
+    assert related(brief) == {"book inside bookcase", "box inside bookcase"}
+    assert brief.unknown == ("The upper shelf", "the lower shelf")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "One lamp is on the desk and one is on the floor.",
+            {"desk_lamp": 1, "desk": 1, "floor_lamp": 1},
+            {"desk_lamp on desk", "floor_lamp on floor"},
+        ),
+        (
+            "A lamp stands on the desk. A second one hangs from the ceiling.",
+            {"desk_lamp": 1, "desk": 1, "pendant_lamp": 1},
+            {"desk_lamp on desk", "pendant_lamp on ceiling"},
+        ),
+        (
+            "There are three lamps. One is on the desk, one is on the floor and a third hangs from the ceiling.",
+            {"desk_lamp": 1, "desk": 1, "floor_lamp": 1, "pendant_lamp": 1},
+            {"desk_lamp on desk", "floor_lamp on floor", "pendant_lamp on ceiling"},
+        ),
+        (
+            "There is one table per four chairs; there are eight chairs.",
+            {"dining_table": 2, "chair": 8},
+            set(),
+        ),
+        ("All but one of the six chairs face the door.", {"chair": 5, "chair-2": 1}, {"chair facing door"}),
+    ],
+)
+def test_one_more_and_all_but_one(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)

@@ -80,3 +80,10 @@ def test_one_side_of_a_room_is_kept(kind: str, side: float) -> None:
         grown = plan_room(larger(brief, room, 1.4), rng=0)
         assert grown.extent[0] == pytest.approx(side)
         assert grown.extent[1] > room.extent[1]
+
+
+def test_what_a_thing_measures_is_no_size_of_the_room() -> None:
+    brief = read_brief("The room measures 4 m by 5 m. The rug measures 2 by 3 meters.")
+    assert (brief.width, brief.depth) == (4.0, 5.0)
+    assert [r.size for r in brief.requests if r.category == "rug"] == [(2.0, 3.0, None)]
+    assert read_brief("The rug measures 2 m by 3 m.").width is None

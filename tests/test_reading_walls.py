@@ -77,3 +77,49 @@ def test_a_bed_stands_where_its_head_does(prompt: str) -> None:
     assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked] == [
         ("against_wall", "bed", ("north_wall",))
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bench runs the length of the wall.", ("bench", "against_wall", ("wall",))),
+        ("A counter running the full length of the left wall.", ("counter", "against_wall", ("left_wall",))),
+        ("The walls are decorated with paintings.", ("picture", "against_wall", ("wall",))),
+        ("One wall is covered in mirrors.", ("mirror", "against_wall", ("one_wall",))),
+        ("A row of lockers lines the hallway.", ("locker", "against_wall", ("wall",))),
+    ],
+)
+def test_what_lines_or_covers_a_wall_is_along_it(prompt: str, relation: tuple[str, str, tuple[str, ...]]):
+    brief = read_brief(prompt)
+    assert relation in {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "walls"),
+    [
+        (
+            "The left side of the room has a bed and the right side has a desk.",
+            {("bed", "left_wall"), ("desk", "right_wall")},
+        ),
+        (
+            "The left half of the room has a bed, and the right half has a desk.",
+            {("bed", "left_wall"), ("desk", "right_wall")},
+        ),
+        ("The left has a bed, the right has a desk.", {("bed", "left_wall"), ("desk", "right_wall")}),
+        (
+            "The front of the room has a blackboard and the back has a wardrobe.",
+            {("blackboard", "near_wall"), ("wardrobe", "far_wall")},
+        ),
+    ],
+)
+def test_sides_of_the_room_have_what_is_said(prompt: str, walls: set[tuple[str, str]]):
+    brief = read_brief(prompt)
+    assert {(r.subject, str(r.anchors[0])) for r in brief.relations if r.asked} == walls
+    assert brief.unknown == ()
+
+
+def test_the_left_of_two_things_is_no_side_of_the_room():
+    brief = read_brief("The bed has two nightstands. The left has a lamp and the right has a book.")
+    told = {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
+    assert {("table_lamp", "on", ("nightstand",)), ("book", "on", ("nightstand-2",))} <= told

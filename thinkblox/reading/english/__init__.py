@@ -23,6 +23,7 @@ from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.collectives import with_collectives
+from thinkblox.reading.english.counted_after import with_counts_after
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
@@ -43,9 +44,12 @@ from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.likings import with_likings
 from thinkblox.reading.english.next_things import with_next_things
+from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
+from thinkblox.reading.english.opening_places import with_opening_places
 from thinkblox.reading.english.openings_meant import with_openings_meant
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.outside import with_outside
@@ -60,6 +64,7 @@ from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
+from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -131,6 +136,20 @@ _WANTED = re.compile(
 """What else begins to say what is wanted."""
 _PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
 """There is what comes."""
+_INSIDE = re.compile(r"^inside,? (?=(?:is|are|there|you|we)\b)", re.IGNORECASE)
+"""In the room, where nothing was named yet."""
+_LENGTH_OF = re.compile(
+    r"\b(?:run(ning|s)?|stretch(ing|es)?|extend(ing|s)?|span(ning|s)?) (?:along )?the "
+    r"(?:full |whole |entire )?length of(?= (?:the|one|a)\b)",
+    re.IGNORECASE,
+)
+"""What is as long as a wall."""
+_SEATED_AT = re.compile(
+    r"\b(?:at|around|on) which (?:up to )?(\w+) (?:people|persons|guests|students|children|adults) can "
+    r"(?:sit|eat|work|dine|be seated)\b",
+    re.IGNORECASE,
+)
+"""How many have a place at a table."""
 _NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
 """What comes then."""
 _BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
@@ -176,6 +195,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _OF_WHICH.sub(lambda match: f"{match[1].lower()} of which".ljust(len(match[0])), text)
     text = _WANTED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _PRESENT.sub(lambda match: f"there {match[1].lower()}".ljust(len(match[0])), text)
+    text = _INSIDE.sub(lambda match: "here".ljust(len(match[0])), text)
+    text = _LENGTH_OF.sub(lambda match: _along(match).ljust(len(match[0])), text)
+    text = _SEATED_AT.sub(lambda match: f"that seats {match[1]}".ljust(len(match[0])), text)
     text = _NEXT.sub("then", text)
     text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
     text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
@@ -198,11 +220,16 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_outside,
         with_two_colours,
         with_as_many,
+        with_none_of,
+        with_counts_after,
+        with_one_more,
         with_pictured,
         with_respective,
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_room_sides,
+        with_opening_places,
         with_part_subjects,
         with_own_places,
         with_ways,
@@ -320,6 +347,12 @@ def _and_half(number: str) -> str:
 def _turned_so(verb: str) -> str:
     """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
     return "facing " if verb.lower().startswith("fac") else "looking "
+
+
+def _along(said: re.Match[str]) -> str:
+    """The verb or participle and the preposition for "runs the length of"."""
+    ending = next((group for group in said.groups() if group), "")
+    return f"{'running' if ending.endswith('ing') else 'runs' if ending else 'run'} along"
 
 
 def _full_height(said: re.Match[str]) -> str:

@@ -18,13 +18,36 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
         number = 0
         if isinstance(noun, Noun) and noun.share and is_link(link, "prepositions", "as") and isinstance(other, Noun):
             number = int(noun.share * _number_later(other, chunks[at + 3 :]))
-        if number and isinstance(noun, Noun):
+        per = _number_per(noun, link, other, chunks[at + 3 :])
+        if per and isinstance(noun, Noun):
+            made.append(replace(noun, count=per, plural=per > 1))
+            at += 2
+        elif isinstance(other, Noun) and _is_all_but(noun, link, other):
+            made.append(replace(other, count=other.total - (other.count or 0), det=""))
+            at += 2
+        elif number and isinstance(noun, Noun):
             made.append(replace(noun, share=0.0, count=number, plural=number > 1))
             at += 2
         elif noun is not None:
             made.append(_look_again(chunks, at, made) or noun)
         at += 1
     return made
+
+
+def _number_per(noun: Chunk | None, per: Chunk | None, other: Chunk | None, after: Sequence[Chunk]) -> int:
+    """How many "one table per four chairs" are, where it is told later how many the chairs are; 0 for other words."""
+    if not (isinstance(noun, Noun) and isinstance(other, Noun) and is_link(per, "prepositions", "per")):
+        return 0
+    several = noun.kind == "thing" and other.kind == "thing" and (other.count or 0) > 1
+    total = _number_later(replace(other, count=None), after) if several else 0
+    return total * (noun.count or 1) // (other.count or 1) if total else 0
+
+
+def _is_all_but(noun: Chunk | None, but: Chunk | None, other: Noun) -> bool:
+    """Whether "all but one of the six chairs" comes, which tells how many there are."""
+    every = isinstance(noun, Noun) and noun.kind == "pronoun" and noun.value == "all"
+    barred = is_link(but, "joins", "but") or is_link(but, "prepositions", "except")
+    return every and barred and other.kind == "thing" and other.of_known and other.total > (other.count or 0) > 0
 
 
 def _number_later(noun: Noun, after: Sequence[Chunk]) -> int:

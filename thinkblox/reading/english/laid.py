@@ -11,6 +11,7 @@ _ABOUT = (*_OVER, "about", "around", "all around")
 """How far what is spread reaches over a thing, and about a room."""
 _TRAYS = ("tray", "caddy", "board", "plank")
 """What lies with both ends on something."""
+_LINING = ("line", "lines", "lining")
 _ADORN = ("adorn", "grac", "decorat")
 """How verbs begin that say of things that they are there for their looks."""
 _PARTS = ("arm", "armrest", "back", "edge", "side", "rim", "end", "foot", "corner", "top")
@@ -38,9 +39,18 @@ def _on_floor(chunks: Sequence[Chunk]) -> list[Chunk]:
         adorned = isinstance(chunk, Connector) and chunk.value == "line" and chunk.text.lower().startswith(_ADORN)
         if adorned and isinstance(chunk, Connector) and isinstance(floor, Noun) and floor.value == "floor":
             made += [replace(chunk, value="stand"), Connector("prepositions", "on", floor.start, floor.start, "on")]
+        elif isinstance(chunk, Connector) and isinstance(floor, Noun) and _lines_room(chunk, floor):
+            made += [replace(chunk, value="stand"), Connector("prepositions", "along", floor.start, floor.start, "on")]
+            made.append(Noun("place", "wall", floor.start, floor.start, "the walls", "walls", "the", plural=True))
+            made.append(Connector("prepositions", "of", floor.start, floor.start, "of"))
         else:
             made.append(chunk)
     return made
+
+
+def _lines_room(verb: Connector, room: Noun) -> bool:
+    """Whether things line a room, as they do its walls."""
+    return verb.value == "line" and verb.text.lower() in _LINING and room.kind == "room"
 
 
 def _laid(before: list[Chunk], link: Connector, where: Noun, after: list[Chunk]) -> list[Chunk]:

@@ -17,6 +17,9 @@ _OCCUPIED = (
     "dominated by",
     "covered with",
     "covered by",
+    "covered in",
+    "adorned with",
+    "decorated with",
 )
 """What is said of a place for what stands there."""
 
@@ -45,7 +48,7 @@ def _lined(chunks: Sequence[Chunk], at: int) -> int:
     be, told, link = (*chunks[at : at + 3], None, None, None)[:3]
     if not is_link(be, "verbs", "be") or not isinstance(told, Connector):
         return 0
-    if is_link(told, "inverses", "with", "on", "inside") and told.text.lower() in _OCCUPIED:
+    if told.sort in ("inverses", "prepositions") and told.text.lower() in _OCCUPIED:
         return 2
     return 3 if told.text.lower() == "lined" and is_link(link, "prepositions", "with") else 0
 

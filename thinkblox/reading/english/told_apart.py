@@ -4,17 +4,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.palette import COLOURS
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
-from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
 
 _SIDES = ("left", "right")
 _SIZES = ("large", "small")
+_SHELVED = ("shelves", "storage", "cases", "tops")
 _PAIR = 2
 
 
 def with_told_apart(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the first of several that are told apart says of how many, and each of another colour is new."""
-    made = list(chunks)
+    made = _shelves(chunks)
     for group in _groups(made):
         marks = {_mark(noun) for _, noun in group}
         if len(marks) < _PAIR:
@@ -28,6 +31,41 @@ def with_told_apart(chunks: Sequence[Chunk]) -> list[Chunk]:
             for place, noun in _firsts(group):
                 made[place] = _new(noun)
     return made
+
+
+def _shelves(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with what "the upper shelf holds" on that of what was named, or on a shelf of its own."""
+    made: list[Chunk] = []
+    seen: set[str] = set()
+    named = False
+    for at, chunk in enumerate(chunks):
+        verb = chunks[at + 1] if at + 1 < len(chunks) else None
+        named |= isinstance(chunk, Noun) and chunk.kind == "thing" and load_habits().is_in(chunk.value, *_SHELVED)
+        last = made[-1] if made else None
+        if isinstance(chunk, Noun) and _is_shelf(chunk) and _holds(verb):
+            on = Connector("prepositions", "on", chunk.start, chunk.start, "on")
+            made += [on, chunk] if named else [_shelf(chunk, seen)]
+        elif named and isinstance(chunk, Connector) and _holds(chunk) and isinstance(last, Noun) and _is_shelf(last):
+            made.append(replace(chunk, value="stand"))
+        else:
+            made.append(chunk)
+    return made
+
+
+def _is_shelf(noun: Noun) -> bool:
+    return noun.kind == "part" and noun.value == "in_shelf" and noun.word == "shelf"
+
+
+def _holds(verb: Chunk | None) -> bool:
+    return is_link(verb, "verbs", "hold", "have", "carry")
+
+
+def _shelf(noun: Noun, seen: set[str]) -> Noun:
+    """The shelf as a thing, new where it was not seen; which of several it is we do not show."""
+    text = noun.text.lower()
+    which = [text.split()[-2]] if text not in seen and len(text.split()) > 1 else []
+    seen.add(text)
+    return replace(noun, kind="thing", value="any_shelf", det="a" if which else "the", unshown=which)
 
 
 def _new(noun: Noun) -> Noun:

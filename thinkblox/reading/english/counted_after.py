@@ -1,0 +1,55 @@
+"""Numbers and sizes told after what they are of: "nightstand (2)", "the rug measures 2 m by 3 m"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.said import is_link
+
+_SIDES = ("each", "either", "both")
+
+
+def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which a lone number in brackets counts the thing before it; what flanks a thing is at both sides."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        number = _number(chunks[at : at + 3])
+        thing = made[-1] if made else None
+        if number and isinstance(thing, Noun) and thing.kind == "thing" and thing.count is None and not thing.definite:
+            made[-1] = replace(thing, count=number, plural=number > 1)
+            at += 3
+        elif _is_both_sides(chunks, at):
+            at += 2
+        elif _is_measuring(chunks, at):
+            made.append(Connector("verbs", "be", chunks[at].start, chunks[at].end, "is"))
+            at += 1
+        else:
+            made.append(chunks[at])
+            at += 1
+    return made
+
+
+def _is_measuring(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a thing measures what comes."""
+    thing, measures, size = (None, *chunks)[at : at + 3] if at + 1 < len(chunks) else (None, None, None)
+    verb = isinstance(measures, Noun) and measures.text.lower() in ("measures", "measure")
+    return isinstance(thing, Noun) and thing.kind == "thing" and verb and isinstance(size, Measured)
+
+
+def _number(said: Sequence[Chunk]) -> int:
+    """The number of "(2)"; 0 for other words."""
+    opens, number, closes = (*said, None, None, None)[:3]
+    alone = isinstance(number, Noun) and number.kind == "number" and not (number.attributes or number.of_known)
+    if not (is_link(opens, "mark", "open") and is_link(closes, "mark", "close") and alone):
+        return 0
+    return number.count or 0 if isinstance(number, Noun) else 0
+
+
+def _is_both_sides(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "on both sides" comes after "frame the bed", which says so by itself."""
+    if at < 2 or not is_link(chunks[at - 2], "verbs", "flank"):
+        return False
+    on, side = (*chunks[at : at + 2], None, None)[:2]
+    sides = isinstance(side, Noun) and side.kind == "part" and side.value in ("side", "end") and side.det in _SIDES
+    return sides and isinstance(on, Connector) and is_link(on, "prepositions", "on", "at")

@@ -1,0 +1,89 @@
+"""Doors and windows that are told of by things: "the window is next to the bed" has the bed next to the window."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.said import is_link
+
+_TURNED = {
+    "next_to": "next_to",
+    "near": "near",
+    "by": "by",
+    "at": "by",
+    "opposite": "opposite",
+    "behind": "in_front_of",
+    "above": "under",
+    "in_front_of": "facing",
+    "left_of": "right_of",
+    "right_of": "left_of",
+}
+"""How a thing stands to an opening that stands so to it."""
+_LEADING, _TO = ("leads", "lead", "leading", "opens", "opening", "open"), ("to", "in", "on")
+_AWAY = 4
+"""Chunks of "to the left of the bed"."""
+
+
+def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which the things are told of by the openings, which stay where they are."""
+    made = _lost(chunks)
+    for at in range(len(made) - 3):
+        opening, verb = made[at : at + 2]
+        begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and", "but")
+        if not (begins and _is_opening(opening) and is_link(verb, "verbs", "be", "stand")):
+            continue
+        word, length = _where(made, at + 2)
+        end = at + 2 + length
+        thing = made[end] if word and end < len(made) else None
+        over = end + 1 >= len(made) or is_link(made[end + 1], "mark") or is_link(made[end + 1], "joins")
+        if isinstance(thing, Noun) and thing.kind == "thing" and not thing.many and over:
+            link = Connector("prepositions", _TURNED[word], made[at + 2].start, made[at + 2].end)
+            made[at : end + 1] = [*_asked(opening), thing, verb, link, _the(opening)]
+            return with_opening_places(made)
+    return made
+
+
+def _asked(opening: Chunk) -> list[Chunk]:
+    """What asks for an opening that is new."""
+    new = isinstance(opening, Noun) and opening.det == "a"
+    return [opening, Connector("mark", "semicolon", opening.end, opening.end, ";")] if new else []
+
+
+def _the(opening: Chunk) -> Chunk:
+    return replace(opening, det="the") if isinstance(opening, Noun) else opening
+
+
+def _lost(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks in which it is not understood where a door leads, and between which things a window is."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        said, link, whither = (*chunks[at : at + 3], None, None)[:3]
+        led = bool(made) and _is_opening(made[-1]) and isinstance(link, Connector) and isinstance(whither, Noun)
+        leads = str(getattr(said, "text", "")).lower() in _LEADING and is_link(link, "prepositions", *_TO)
+        between = is_link(said, "verbs", "be", "stand") and is_link(link, "prepositions", "between")
+        if led and (leads or between) and isinstance(link, Connector) and isinstance(whither, Noun):
+            last = whither if leads else link
+            told = [c for c in (said, link, whither if leads else None) if c is not None]
+            made.append(Stray(told[0].start, last.end, " ".join(str(getattr(c, "text", "")) for c in told)))
+            at += len(told)
+        else:
+            made.append(chunks[at])
+            at += 1
+    return made
+
+
+def _is_opening(chunk: Chunk) -> bool:
+    opening = isinstance(chunk, Noun) and chunk.kind == "place" and chunk.value in ("window", "door")
+    return opening and isinstance(chunk, Noun) and chunk.det in ("a", "the") and not chunk.many
+
+
+def _where(chunks: Sequence[Chunk], at: int) -> tuple[str, int]:
+    """How an opening stands to a thing that is named next, and how many chunks say so; empty where it is not told."""
+    link, part, of = (*chunks[at : at + _AWAY - 1], None, None, None)[: _AWAY - 1]
+    if not isinstance(link, Connector) or link.sort != "prepositions":
+        return "", 0
+    if isinstance(part, Noun) and part.kind == "part" and part.value in ("left", "right"):
+        sided = is_link(of, "prepositions", "of") and link.value in ("to", "on", "at")
+        return (f"{part.value}_of", _AWAY - 1) if sided else ("", 0)
+    return (link.value, 1) if link.value in _TURNED else ("", 0)
