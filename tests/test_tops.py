@@ -3,6 +3,7 @@
 from functools import cache
 
 import pytest
+from msgspec import structs
 
 from thinkblox.assets import make_asset, make_thing, room_under
 from thinkblox.assets.levels import found_surfaces
@@ -16,6 +17,7 @@ from thinkblox.planning import plan_brief
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Joint, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.windows import hangs_at_window
 
@@ -273,6 +275,8 @@ def test_inside(prompt: str) -> None:
         "A workshop with a workbench and a toolbox under it.",
         "A hall with a shoe bench and a pair of boots under the bench.",
         "An office with a desk and a mini fridge under the desk.",
+        "A shop with a counter and a small fridge under the counter.",
+        "A pub with a bar and two crates under the bar.",
         "A salon with a mirror on the wall and a small cabinet under the mirror.",
     ],
 )
@@ -280,6 +284,20 @@ def test_under(prompt: str) -> None:
     done = room(prompt)
     assert holds(done, "under")
     assert done.report.valid
+
+
+def test_under_a_desk_round_a_corner_is_under_one_of_its_tops() -> None:
+    done = room("An office with one L-shaped desk and a paper shredder under the desk.")
+    (desk,), (shredder,) = of(done, "corner_desk"), of(done, "shredder")
+    x, y = desk.to_local(shredder.position[:2])
+    tops = done.scene.asset_of(desk).surfaces
+    assert any(
+        abs(x - s.position[0]) <= s.size[0] / 2 and abs(y - s.position[1]) <= s.size[1] / 2 for s in tops if not s.inner
+    )
+    aside = done.scene.with_placement(
+        structs.replace(shredder, position=(*desk.to_room((0.3, 0.4)), 0.0)), done.scene.asset_of(shredder)
+    )
+    assert not measure(aside, "under", "shredder_1", ("corner_desk_1",)).holds
 
 
 def test_row_above() -> None:
