@@ -246,6 +246,24 @@ def test_all_have_room_on_the_top(prompt: str, carrier: str, things: int) -> Non
     assert not shortfalls(done.report)
 
 
+def test_one_counter_of_a_kitchen_is_one_and_has_room_for_all() -> None:
+    done = room(
+        "A kitchen with a long counter against the wall. On the counter there are a toaster, a blender, an electric "
+        "kettle and a bread box, and the toaster is between the blender and the kettle."
+    )
+    (counter,) = of(done, "base_cabinet")
+    assert {p.category for p in done.scene.resting_on(counter.id)} >= {
+        "toaster",
+        "blender",
+        "kettle",
+        "bread_box",
+        "sink",
+    }
+    (toaster,), (kettle,) = of(done, "toaster"), of(done, "kettle")
+    assert measure(done.scene, "next_to", toaster.id, (kettle.id,)).holds
+    assert not shortfalls(done.report)
+
+
 def test_what_has_no_room_on_the_top_is_told() -> None:
     done = room("A canteen kitchen with a serving trolley with eight microwaves on it.")
     assert [said for said in shortfalls(done.report) if "on serving_trolley_1" in said]
