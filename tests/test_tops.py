@@ -264,6 +264,14 @@ def test_one_counter_of_a_kitchen_is_one_and_has_room_for_all() -> None:
     assert not shortfalls(done.report)
 
 
+def test_a_camera_on_a_tripod_is_a_camera_and_a_tripod_that_looks_its_way() -> None:
+    done = room("A studio with a stool in the corner. A camera on a tripod faces the stool.")
+    (tripod,), (camera,) = of(done, "tripod"), of(done, "camera")
+    assert camera.support == tripod.id
+    assert measure(done.scene, "facing", tripod.id, ("stool_1",)).holds
+    assert not shortfalls(done.report)
+
+
 def test_what_has_no_room_on_the_top_is_told() -> None:
     done = room("A canteen kitchen with a serving trolley with eight microwaves on it.")
     assert [said for said in shortfalls(done.report) if "on serving_trolley_1" in said]
