@@ -328,18 +328,38 @@ def radio(spec: Spec) -> Build:
     return Build(body=body)
 
 
-def tripod(spec: Spec) -> Build:
-    """Return a camera on a tripod, its lens to the front; a telescope is a long tube instead."""
+def _legs(spec: Spec, head: float, reach: float) -> list[Part]:
+    """Three splayed legs, and a pole between them that ends at a height [m]."""
     x, y, z = spec.size
-    black, radius, head = spec.main(BLACK_PLASTIC), min(x, y) / 2, 0.8 * z
+    radius = min(x, y) / 2
     body: list[Part] = [disc(IRON, (0, 0), 0.02, (0.62 * z, head))]
     for k in range(3):
         a = 2 * pi * k / 3 + pi
         foot = (0.97 * radius * cos(a), 0.97 * radius * sin(a))
         body += [
-            rod(IRON, (foot[0], foot[1], 0.008 * z), (0.02 * cos(a), 0.02 * sin(a), 0.72 * z), 0.014),
+            rod(IRON, (foot[0], foot[1], 0.008 * z), (0.02 * cos(a), 0.02 * sin(a), reach), 0.014),
             disc(IRON, foot, 0.022, (0, 0.02 * z)),
         ]
+    return body
+
+
+def tripod(spec: Spec) -> Build:
+    """Return a tripod with a plate that carries a camera or a lamp."""
+    z, black, half = spec.size[2], spec.main(BLACK_PLASTIC), min(0.09, 0.2 * min(spec.size[:2]))
+    plate = (-half, half)
+    body = _legs(spec, z - 0.06, 0.8 * z)
+    body += [
+        cushion(black, around(0, 0.07), around(0, 0.07), (z - 0.1, z - 0.012), radius=0.01),
+        box(black, plate, plate, (z - 0.012, z)),
+    ]
+    return Build(body=body, surfaces=[top_surface("plate", plate, plate, z)])
+
+
+def camera_tripod(spec: Spec) -> Build:
+    """Return a camera on a tripod, its lens to the front; a telescope is a long tube instead."""
+    x, _, z = spec.size
+    black, head = spec.main(BLACK_PLASTIC), 0.8 * z
+    body = _legs(spec, head, 0.72 * z)
     if spec.category == "telescope":
         tube_finish = spec.main(WHITE_PLASTIC)
         body += [

@@ -15,6 +15,8 @@ from thinkblox.value import Vec3
 
 SAME_LEVEL = 0.0005
 """Faces that differ by less in height are one level [m]."""
+_SLATS = 0.06
+"""Half of how far the slats of a top may be apart that covers what is under it [m]."""
 CLEAR = 0.04
 """What begins lower than this over a face stands on it [m]."""
 NARROWEST = 0.08
@@ -208,6 +210,7 @@ def room_under(links: Sequence[Link], height: float) -> tuple[float, float] | No
     if not solids:  # a rug is only seen
         return None
     low = [s.outline for s in solids if s.low < height]
-    x0, y0, x1, y1 = shapely.union_all([s.outline for s in solids]).bounds
-    area = _largest_rectangle(shapely.box(x0, y0, x1, y1).difference(shapely.union_all(low)))
+    over = shapely.union_all([s.outline for s in solids if s.low >= height])
+    closed = over.buffer(_SLATS, join_style="mitre").buffer(-_SLATS, join_style="mitre")
+    area = _largest_rectangle(closed.difference(shapely.union_all(low)))
     return None if area is None else (area[2] - area[0], area[3] - area[1])

@@ -36,7 +36,7 @@ from thinkblox.assets.tubes import arc, tube
 
 
 def counter(spec: Spec) -> Build:
-    """Return a shop counter: a slatted front to the customer at +x, shelves on the other side."""
+    """Return a shop counter: a slatted front to the customer at +x, a shelf on the other side, none when "open"."""
     x, y, z = spec.size
     wood = spec.wood
     front = spec.main(spec.choice((spec.style.paint, spec.style.wood)))
@@ -61,12 +61,11 @@ def counter(spec: Spec) -> Build:
         )
         for k in range(count)
     ]
-    area = ((-x / 2 + 0.05, x / 2 - 0.08), (-y / 2 + 0.03, y / 2 - 0.03))
-    build.body.append(box(front, *area, (0.42 * z, 0.42 * z + 0.02)))
-    build.surfaces = [
-        top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z),
-        top_surface("shelf", *area, 0.42 * z + 0.02, headroom=0.58 * z - 0.06),
-    ]
+    build.surfaces = [top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)]
+    if not spec.has("open"):
+        area = ((-x / 2 + 0.05, x / 2 - 0.08), (-y / 2 + 0.03, y / 2 - 0.03))
+        build.body.append(box(front, *area, (0.42 * z, 0.42 * z + 0.02)))
+        build.surfaces.append(top_surface("shelf", *area, 0.42 * z + 0.02, headroom=0.58 * z - 0.06))
     return build
 
 

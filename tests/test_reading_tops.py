@@ -48,6 +48,8 @@ from thinkblox.reading import read_brief
             "A desk carries a monitor and, in front of the monitor, a keyboard.",
             "1 keyboard on desk, 1 keyboard in_front_of monitor",
         ),
+        ("A studio with a camera on a tripod.", "1 camera on tripod"),
+        ("A studio with two cameras on tripods.", "2 camera on tripod"),
         ("The TV stands on a cabinet. A plant is to the left of the TV.", "1 plant left_of tv"),
         ("A bench at the left end of the table.", "1 bench left_of dining_table"),
         ("A kitchen with an island, three stools on one side of the island.", "3 bar_stool in_front_of kitchen_island"),

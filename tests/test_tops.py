@@ -3,6 +3,7 @@
 from functools import cache
 
 import pytest
+from msgspec import structs
 
 from thinkblox.assets import make_asset, make_thing, room_under
 from thinkblox.assets.levels import found_surfaces
@@ -16,6 +17,7 @@ from thinkblox.planning import plan_brief
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Joint, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.windows import hangs_at_window
 
@@ -244,6 +246,32 @@ def test_all_have_room_on_the_top(prompt: str, carrier: str, things: int) -> Non
     assert not shortfalls(done.report)
 
 
+def test_one_counter_of_a_kitchen_is_one_and_has_room_for_all() -> None:
+    done = room(
+        "A kitchen with a long counter against the wall. On the counter there are a toaster, a blender, an electric "
+        "kettle and a bread box, and the toaster is between the blender and the kettle."
+    )
+    (counter,) = of(done, "base_cabinet")
+    assert {p.category for p in done.scene.resting_on(counter.id)} >= {
+        "toaster",
+        "blender",
+        "kettle",
+        "bread_box",
+        "sink",
+    }
+    (toaster,), (kettle,) = of(done, "toaster"), of(done, "kettle")
+    assert measure(done.scene, "next_to", toaster.id, (kettle.id,)).holds
+    assert not shortfalls(done.report)
+
+
+def test_a_camera_on_a_tripod_is_a_camera_and_a_tripod_that_looks_its_way() -> None:
+    done = room("A studio with a stool in the corner. A camera on a tripod faces the stool.")
+    (tripod,), (camera,) = of(done, "tripod"), of(done, "camera")
+    assert camera.support == tripod.id
+    assert measure(done.scene, "facing", tripod.id, ("stool_1",)).holds
+    assert not shortfalls(done.report)
+
+
 def test_what_has_no_room_on_the_top_is_told() -> None:
     done = room("A canteen kitchen with a serving trolley with eight microwaves on it.")
     assert [said for said in shortfalls(done.report) if "on serving_trolley_1" in said]
@@ -273,6 +301,8 @@ def test_inside(prompt: str) -> None:
         "A workshop with a workbench and a toolbox under it.",
         "A hall with a shoe bench and a pair of boots under the bench.",
         "An office with a desk and a mini fridge under the desk.",
+        "A shop with a counter and a small fridge under the counter.",
+        "A pub with a bar and two crates under the bar.",
         "A salon with a mirror on the wall and a small cabinet under the mirror.",
     ],
 )
@@ -280,6 +310,20 @@ def test_under(prompt: str) -> None:
     done = room(prompt)
     assert holds(done, "under")
     assert done.report.valid
+
+
+def test_under_a_desk_round_a_corner_is_under_one_of_its_tops() -> None:
+    done = room("An office with one L-shaped desk and a paper shredder under the desk.")
+    (desk,), (shredder,) = of(done, "corner_desk"), of(done, "shredder")
+    x, y = desk.to_local(shredder.position[:2])
+    tops = done.scene.asset_of(desk).surfaces
+    assert any(
+        abs(x - s.position[0]) <= s.size[0] / 2 and abs(y - s.position[1]) <= s.size[1] / 2 for s in tops if not s.inner
+    )
+    aside = done.scene.with_placement(
+        structs.replace(shredder, position=(*desk.to_room((0.3, 0.4)), 0.0)), done.scene.asset_of(shredder)
+    )
+    assert not measure(aside, "under", "shredder_1", ("corner_desk_1",)).holds
 
 
 def test_row_above() -> None:

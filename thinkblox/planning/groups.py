@@ -2,6 +2,7 @@
 
 from msgspec.structs import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.plan import Tie, carries
 from thinkblox.planning.members import Member, Members
 
@@ -13,6 +14,8 @@ _CLOSE = ("next_to", "near", "left_of", "right_of")
 
 _PLACED = ("against_wall", "in_corner", "near")
 _AT_WALL = ("against_wall", "in_corner")
+_FURNITURE = ("surfaces", "tables", "desks", "counters", "worktops", "storage", "shelves", "beds", "seats", "seating")
+"""What is turned by its own place and use, whatever is on it."""
 
 
 def lower(members: Members) -> None:
@@ -52,6 +55,19 @@ def carry_to_wall(members: Members) -> None:
         if placed:
             kept = [tie for tie in support.ties if tie.kind not in _PLACED]
             support.ties[:] = [replace(placed[0], index=0, count=1, asked=False), *kept]
+
+
+def turn_stands(members: Members) -> None:
+    """A stand looks where what is on it is asked to look, as a tripod does with its camera, where nobody turns it."""
+    for member in members.all:
+        support = members.support(member) if member.mount == "surface" else None
+        if support is None or support.mount != "floor" or facts_of(support.category).is_in(*_FURNITURE):
+            continue
+        looks = [tie for tie in member.ties if tie.asked and tie.kind == "facing" and tie.anchors]
+        turned = any(tie.kind in ("facing", "facing_away", "opposite", *_AT_WALL) for tie in support.ties)
+        anchors = [members.by_id[a] for tie in looks for a in tie.anchors if a in members.by_id]
+        if looks and not turned and not any(members.depends(anchor, support) for anchor in anchors):
+            support.ties.append(replace(looks[0], index=0, count=1, asked=False))
 
 
 def bring_near(upper: Member, member: Member) -> None:

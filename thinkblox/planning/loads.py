@@ -187,8 +187,11 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     top = max(tops, key=lambda s: s.size[0] * s.size[1])
     if top.size[0] * top.size[1] < MOSTLY_TOP * usual[0] * usual[1]:
         return None
+    lined = kind.is_in("built_in_line")
     areas = [
-        (x, y) if facts_of(load.category).is_in("built_in") else (x * _VARIED + APART, y * _VARIED + APART)
+        (max(x, top.size[0] * lined), y + APART * lined)  # What is let into a worktop leaves nothing before or behind.
+        if facts_of(load.category).is_in("built_in")
+        else (x * _VARIED + APART, y * _VARIED + APART)
         for load in loads
         if min((size := usual_size(load, members))[:2]) < TOO_LARGE * max(top.size)
         for x, y, _ in [size]
@@ -197,7 +200,6 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
         return None
     long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
     circle = top.round and min(top.size) > _CIRCLE * max(top.size)
-    lined = kind.is_in("built_in_line")
     even, small = not lined and (circle or usual[0] == usual[1]), max(usual[:2]) < SMALL
     furniture = kind.is_in("surfaces", "tables", "counters", "worktops")
     free = member.mount == "wall" or not (furniture or kind.is_in("seats", "seating"))

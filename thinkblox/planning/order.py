@@ -12,7 +12,7 @@ from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
-from thinkblox.planning.groups import carry_to_wall, count_off, lower
+from thinkblox.planning.groups import carry_to_wall, count_off, lower, turn_stands
 from thinkblox.planning.implied import imply
 from thinkblox.planning.loads import words_of
 from thinkblox.planning.members import Member, Members
@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_BUILT_IN_BONUS = 2.0
+"""What counts for what is let into a worktop: things stand about it, and it is not fitted in between them [m2]."""
 _OVER_BONUS = 2.0
 """What counts for what hangs over a thing: a mirror over its basin comes before a rail on any wall [m2]."""
 _BESIDE_BONUS = 1.0
@@ -69,8 +71,10 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     keep_views(members)
     lower(members)
     carry_to_wall(members)
+    turn_stands(members)
     count_off(members)
     _leave_middles(members)
+    _keep_together(members)
     ordered = _ordered(members)
     due = _due(members, ordered)
     targets = tuple(_target(member, members, room.height, due.get(member.id, ())) for member in ordered)
@@ -245,9 +249,25 @@ def _leave_middles(members: Members) -> None:
     for central in members.all:
         tops = {a for tie in central.ties if tie.asked and tie.kind == "in_centre" for a in tie.anchors if is_object(a)}
         for other in members.all if tops else ():
-            on = {a for tie in other.ties if tie.kind == "on" for a in tie.anchors}
-            if other.request is not central.request and on & tops and not members.depends(central, other):
+            if other.request is not central.request and _tops(other) & tops and not members.depends(central, other):
                 other.waits.add(central.id)
+
+
+def _keep_together(members: Members) -> None:
+    """What else is on a top comes after what is asked to be between two things there, which takes one stretch of it."""
+    for middle in members.all:
+        pairs = [tie.anchors for tie in middle.ties if tie.asked and tie.kind == "between" and len(tie.anchors) == 2]
+        for pair in pairs:
+            tops = {a for m in (members.by_id.get(p) for p in pair) if m for a in _tops(m)}
+            for other in members.all if tops else ():
+                own = other is middle or other.id in pair or facts_of(other.category).is_in("built_in")
+                if not own and tops & _tops(other) and not members.depends(middle, other):
+                    other.waits.add(middle.id)
+
+
+def _tops(member: Member) -> set[str]:
+    """What it is on."""
+    return {a for tie in member.ties if tie.kind == "on" for a in tie.anchors if is_object(a)}
 
 
 def _is_dependent(member: Member) -> bool:
@@ -316,7 +336,7 @@ def _rank(
 
     What stands before a run, or is one with a counter, comes with it.
     """
-    wall = _is_wall_wide(member)
+    wall, built_in = _is_wall_wide(member), facts_of(member.category).is_in("built_in") and member.mount == "surface"
     stage = 0 if wall else 2 if member.flat else _STAGES[member.mount]
     dependent = _is_dependent(member) and not with_anchor
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
@@ -328,6 +348,7 @@ def _rank(
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _OVER_BONUS * _is_over(member)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
+    weight += _BUILT_IN_BONUS * built_in
     weight += _COMPANION_BONUS * (companion is not None) + _BESIDE_BONUS * belongs
-    late = arranged and not any(m.request.asked for m in (member, companion) if m is not None)
+    late = arranged and not (built_in or any(m.request.asked for m in (member, companion) if m is not None))
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

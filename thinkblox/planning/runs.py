@@ -10,7 +10,6 @@ from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief, Relation, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import kinds_of_room, room_type
-from thinkblox.knowledge.things import is_surface
 from thinkblox.planning.space import extent
 from thinkblox.scene.room import Room
 from thinkblox.scene.stretches import is_inner_corner, stretches
@@ -48,11 +47,7 @@ def with_run(brief: Brief, room: Room, seed: int) -> Brief:
     base = next((r for r in brief.requests if _is_unit(r)), None)
     if base is None or brief.empty:
         return brief
-    if is_surface(base.called) and base.count == 1:
-        if "kitchen" not in kinds_of_room(brief.room_type):
-            return brief
-        brief, base = _besides(brief, base)
-    elif not _is_open(brief, base):
+    if not _is_open(brief, base):
         meant = room_type(brief.room_type).run
         return _with_corners(brief, base, _CORNERS.get(meant, 0) if meant and _length(brief, room, meant) else 0)
     run = [r for r in brief.requests if _is_of_run(r) and facts_of(r.category).runs_with(facts_of(base.category))]
@@ -68,24 +63,6 @@ def with_run(brief: Brief, room: Room, seed: int) -> Brief:
 
 def _is_unit(request: Request) -> bool:
     return facts_of(request.category).is_in("takes_built_in") and _is_of_run(request)
-
-
-def _besides(brief: Brief, surface: Request) -> tuple[Brief, Request]:
-    """The brief with cabinets besides one that is named for its top alone, and these: they take what is assumed on it.
-
-    A worktop on which a kettle stands is a part of the whole.
-    """
-    taken = {r.key for r in brief.requests}
-    key = next(k for n in range(2, len(taken) + 3) if (k := f"{surface.category}-{n}") not in taken)
-    more = Request(key=key, category=surface.category, asked=False, attributes=surface.attributes)
-    at = brief.requests.index(surface) + 1
-    relations = tuple(
-        replace(r, anchors=(key,)) if not r.asked and r.anchors == (surface.key,) and r.kind in ("on", "above") else r
-        for r in brief.relations
-    )
-    walled = Relation(kind="against_wall", subject=key, anchors=("wall",), asked=False)
-    requests = (*brief.requests[:at], more, *brief.requests[at:])
-    return replace(brief, requests=requests, relations=(*relations, walled)), more
 
 
 def _is_open(brief: Brief, base: Request) -> bool:

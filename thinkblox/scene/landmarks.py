@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point, Polygon, union_all
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.arrangement import Arrangement
+from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.value import Vec2
@@ -16,6 +17,8 @@ from thinkblox.value import Vec2
 WINDOW_ZONE = 0.5
 """Depth of the floor that belongs to a window [m]; SceneEval's OpeningClearance. A door's is as deep as it is wide."""
 _SAME_LENGTH = 0.01
+_MOSTLY_TOP = 0.4
+"""Least share of its footprint that the tops of a thing take, for nothing else of it to be over anything."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,7 @@ class Landmark:
         solid: whether it can be touched; a rug cannot.
         hung: fixed to a wall or the ceiling.
         gaze: where one looks who uses it [degrees]: its yaw, or the other way, as its asset says.
+        roof: what of its footprint is under its tops, where these are several; None for all of it.
     """
 
     name: str
@@ -51,6 +55,7 @@ class Landmark:
     solid: bool = True
     hung: bool = False
     gaze: float = 0.0
+    roof: BaseGeometry | None = None
 
     @property
     def heading(self) -> Vec2:
@@ -151,7 +156,23 @@ def _object(scene: Arrangement, placement: Placement) -> Landmark:
         carries=tuple(z + surface.position[2] for surface in asset.surfaces if not surface.within),
         holds=tuple(z + surface.position[2] for surface in asset.surfaces if surface.inner),
         solid=asset.collides,
+        roof=_roof(placement, asset.surfaces),
     )
+
+
+def _roof(placement: Placement, surfaces: Sequence[Surface]) -> BaseGeometry | None:
+    """The tops of what has several at one height, as a desk round a corner has, where they are most of it."""
+    height = max((s.position[2] for s in surfaces if not s.inner), default=0.0)
+    tops = [s for s in surfaces if not s.inner and height - s.position[2] <= _SAME_LENGTH]
+    if len(tops) < 2:
+        return None
+    roof = union_all([Polygon([placement.to_room(corner) for corner in _corners_of(top)]) for top in tops])
+    return roof if roof.area >= _MOSTLY_TOP * placement.footprint.area else None
+
+
+def _corners_of(top: Surface) -> tuple[Vec2, ...]:
+    (x, y, _), (a, b) = top.position, (top.size[0] / 2, top.size[1] / 2)
+    return (x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)
 
 
 def _wall(room: Room, wall: Wall) -> Landmark:

@@ -289,7 +289,7 @@ def _partly_under(subject: Landmark, anchor: Landmark) -> Finding:
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
     if anchor.kind == "opening" and subject.base < CONTACT:
         return _below_opening(subject, anchor)
-    share = shared(subject, anchor)
+    share = shared(subject, anchor if anchor.roof is None else replace(anchor, footprint=anchor.roof))
     least = UNDER_SHARE if subject.top - subject.base <= FLAT or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
     lower = subject.base <= anchor.base + CONTACT and subject.top <= (
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
@@ -13,10 +14,13 @@ STEP = 0.06
 """Between places that are tried [m]."""
 PLACES = 9
 """Most places that are tried along each side."""
+HIDDEN = 0.3
+"""Cost of looking out to those who are served, rather than to who serves and opens it."""
 
 
 def under_standing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Between its legs, within its outline: several side by side along its longer side, one in the middle first."""
+    served = facts_of(anchor.category).is_in("served_over")
     turns = {"any": (0.0,), "two": (0.0, 90.0)}.get(situation.asset.front, (0.0, 90.0, 180.0, 270.0))
     for turn in turns:
         depth, width = situation.size[:2] if turn % 180.0 == 0.0 else (situation.size[1], situation.size[0])
@@ -29,6 +33,7 @@ def under_standing(situation: Situation, anchor: Placement, tie: Tie) -> Iterato
         for x in _places(free[0]):
             for y in _places(free[1]):
                 cost = 0.8 * (abs(x - wanted[0]) + abs(y - wanted[1])) + (0.3 if turn % 180.0 else 0.0)
+                cost += HIDDEN * (served and turn == 0.0)
                 yield beside_at(
                     situation,
                     anchor,

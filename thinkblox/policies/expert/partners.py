@@ -31,6 +31,25 @@ def partner_ideas(situation: Situation) -> Iterator[Idea]:
             yield from sides_of(situation, partner, ("left", "right"), gaps=gaps, why=why)
 
 
+def parted_on(situation: Situation, carrier: Placement) -> Iterator[tuple[float, Placement]]:
+    """How wide that is which comes between the target and another thing on its carrier, and that thing [m]."""
+    own = situation.target.id
+    for later in situation.followers:
+        sharers = _sharers(later)
+        if _comes_between(later) and own in sharers:
+            for other in situation.scene.resting_on(carrier.id):
+                if other.id in sharers and other.id != own:
+                    yield situation.kind(later).size[1], other
+
+
+def between_on(situation: Situation, carrier: Placement) -> tuple[Placement, Placement] | None:
+    """The two things on a carrier between which the target is to be; None where it is between no such two."""
+    if not _comes_between(situation.target):
+        return None
+    found = [p for p in situation.scene.resting_on(carrier.id) if p.id in _sharers(situation.target)]
+    return (found[0], found[1]) if len(found) == 2 else None
+
+
 def gaps_in_row(situation: Situation) -> tuple[float, ...]:
     """Free distances that neighbours in a row leave for what is to come between them [m]; none where nothing does."""
     alike = {t.id for t in situation.observation.plan.targets if t.request == situation.target.request}

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie, carries
+from thinkblox.policies.expert import partners
 from thinkblox.policies.expert.ground import TOUCH
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.judge import boxes, depth_in_others
@@ -26,6 +27,8 @@ OVERHANG = 0.02
 SLIGHTLY_OVER = 0.006
 """How far things reach over an edge of a surface on which not all that are to be there would have room else [m]."""
 EXACT = 1e-6
+BETWEEN = 0.06
+"""Left on either side of what comes between two [m]."""
 APART = 0.02
 """Left between things side by side [m]."""
 CROWDED, CROWDED_BY_ONES = 0.3, 0.5
@@ -317,6 +320,7 @@ def _spots(
         yield from _middle(free, anchor) if side is None else _towards(side, free, surface)
         return
     yield from _by_companion(situation, anchor, surface, free)
+    yield from _by_partners(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
     way = _users_way(anchor)
     marked = tuple((way * u, way * v) for u, v in situation.facts.spots)
@@ -368,6 +372,22 @@ def _by_companion(
             v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)
             if abs(u) <= free[0] + EDGE and abs(v) <= free[1] + EDGE:
                 yield (u, v), -0.2
+
+
+def _by_partners(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> Iterator[tuple[Vec2, float]]:
+    """Midway between the two that it is to be between, or with room for what is to be between it and another."""
+    ways: list[Vec2] = []
+    for width, other in partners.parted_on(situation, anchor):
+        x, y = anchor.to_local((other.position[0], other.position[1]))
+        reach = max(other.size[:2]) / 2 + width + situation.size[1] / 2 + 2 * BETWEEN
+        ways += [(x, y + reach), (x, y - reach)]
+    if (pair := partners.between_on(situation, anchor)) is not None:
+        (x, y), (a, b) = (anchor.to_local((p.position[0], p.position[1])) for p in pair)
+        ways.append(((x + a) / 2, (y + b) / 2))
+    for x, y in ways:
+        spot = (x - surface.position[0], y - surface.position[1])
+        if abs(spot[0]) <= free[0] + EDGE and abs(spot[1]) <= free[1] + EDGE:
+            yield spot, -0.4
 
 
 def _beside_others(
