@@ -152,3 +152,22 @@ def test_the_two_sides_of_a_corner_come_in_one_order_in_every_process() -> None:
     seeds = [os.environ | {"PYTHONHASHSEED": seed} for seed in ("1", "3")]
     one, other = (subprocess.run([sys.executable, "-c", code], capture_output=True, env=e, check=True) for e in seeds)
     assert one.stdout == other.stdout != b""
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A desk with a lamp on the left corner.", {("desk_lamp", "on", "desk"), ("desk_lamp", "left_of", "desk")}),
+        ("A bed in the left corner.", {("bed", "in_corner", "left_wall")}),
+        (
+            "A bar in the corner with four stools.",
+            {("bar_counter", "in_corner", "corner"), ("bar_stool", "at", "bar_counter")},
+        ),
+        ("A closet next to the bed.", {("wardrobe", "next_to", "bed")}),
+        ("A toilet next to the tub with a plant.", {("toilet", "next_to", "bathtub")}),
+    ],
+)
+def test_corners_of_tops_and_things_that_name_rooms_as_well(prompt: str, relations: set[tuple[str, str, str]]) -> None:
+    brief = read_brief(prompt)
+    assert {(r.subject, r.kind, r.anchors[0]) for r in brief.relations if r.asked} >= relations
+    assert not brief.unknown

@@ -16,6 +16,7 @@ from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
+from thinkblox.reading.english.said import is_spatial
 from thinkblox.reading.lexicon import ENGLISH, load
 from thinkblox.reading.sizes import Size
 
@@ -182,6 +183,10 @@ class Rooms(Memberships):
             self.at += 1
             self._room(replace(noun, kind="room", value="room"))
             return True
+        stands = isinstance(after, Connector) and is_spatial(after) and noun.det == "a"
+        corner = self._next_noun(1) if stands else None
+        if noun.room and corner is not None and corner.kind == "place":
+            return False
         if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
@@ -234,7 +239,10 @@ class Rooms(Memberships):
         sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
         ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
         ended |= self._is_link(self.peek(2), "prepositions", "with")
-        return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
+        if not isinstance(place, Noun) or place.kind != "thing" or not (roomish and ended):
+            return None
+        of_house = place.word in grammar().lists["stairs"]
+        return None if noun.kind == "thing" and place.named and not of_house else place
 
     def _is_room_size(self, size: Size) -> bool:
         """Whether a size is that of a room rather than of a thing."""

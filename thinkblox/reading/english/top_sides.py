@@ -40,7 +40,21 @@ def _is_end(place: Noun) -> bool:
 def _is_told_of(chunks: Sequence[Chunk], at: int) -> bool:
     place = chunks[at]
     told = isinstance(place, Noun) and _is_of_thing(place, chunks[at + 1 : at + 3])
-    return told or _is_of_carrier(chunks, at)
+    return told or _is_of_carrier(chunks, at) or _is_corner_of_top(chunks, at)
+
+
+def _is_corner_of_top(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether what is "on the left corner" is on a table or desk that was named before: in those of a room it would be.
+
+    "A desk with a lamp on the left corner", "a table with a vase on one corner and a book on the other".
+    """
+    place, link, small = chunks[at], chunks[at - 1] if at else None, chunks[at - 2] if at > 1 else None
+    if not isinstance(place, Noun) or not _is_corner(place) or not is_link(link, "prepositions", "on"):
+        return False
+    ended = next((n for n in range(at - 1, -1, -1) if is_link(chunks[n], "mark", "stop", "semicolon")), -1)
+    before = (c for c in chunks[ended + 1 : at - 2] if isinstance(c, Noun) and c.kind == "thing")
+    carried = isinstance(small, Noun) and small.kind == "thing" and load_habits().is_in(small.value, "small", "lamps")
+    return carried and any(load_habits().is_in(c.value, "surfaces") for c in before)
 
 
 def _is_of_carrier(chunks: Sequence[Chunk], at: int) -> bool:
