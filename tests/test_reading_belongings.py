@@ -207,3 +207,35 @@ def test_one_seats_so_many_is_a_verb() -> None:
     brief = read_brief("Two small tables; one seats two people, the other four, hence six chairs.")
     assert [r.count for r in brief.requests if r.category == "chair"] == [6]
     assert {a for r in brief.requests for a in r.attributes if a.startswith("for-")} == {"for-2"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lamps"),
+    [
+        ("A bed flanked by two nightstands with a lamp each.", 2),
+        ("A bed flanked by two nightstands with lamps.", 2),
+        ("A sofa flanked by two side tables with lamps on them.", 2),
+        ("A sofa flanked by two side tables with a lamp on top.", 2),
+        ("A bed flanked by two nightstands with a lamp on the left one.", 1),
+    ],
+)
+def test_what_flanks_has_its_own_on_both_sides(prompt: str, lamps: int) -> None:
+    brief = read_brief(prompt)
+    on = [r for r in brief.relations if r.kind == "on" and r.asked]
+    assert [r.count for r in brief.requests if r.category == "table_lamp"] == [lamps]
+    assert [len(r.anchors) for r in on] == [lamps]
+    assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("An armchair in each corner facing the center of the room.", "4 armchair facing centre"),
+        ("A sofa facing the middle of the room.", "1 sofa facing centre"),
+        ("A table pushed against the wall with three chairs around the other sides.", "3 chair around dining_table"),
+    ],
+)
+def test_what_faces_the_middle_is_not_in_it(prompt: str, relation: str) -> None:
+    found = related(read_brief(prompt))
+    assert relation in found
+    assert not any("in_centre" in said for said in found)

@@ -38,7 +38,11 @@ class Memberships(Ties):
         self.draft.bonds += [replace(bond, subject=thing) for bond in frame.inherited]
         frame.inherited = []
         having = self._is_link(self.peek(), "verbs", "have", "hold", "carry")
-        self._push(Node([thing], frame, each=noun.each or (having and noun.plural and noun.det in ("all", "both"))))
+        each = noun.each or (having and noun.plural and noun.det in ("all", "both"))
+        flanking = self.referents.family(thing) if thing in self.referents.flanking else [thing]
+        if len(flanking) > 1 and self._is_link(self.peek(), "prepositions", "with"):
+            self.referents.shared.update(flanking)
+        self._push(Node(flanking, frame, each=each or len(flanking) > 1))
         if before and self._comes_then(before[0]):
             bind(self.draft, Bond("next_to", thing, (before[0],)))
         if before and before[0] is not thing:
@@ -175,7 +179,8 @@ class Memberships(Ties):
         if frame.kind in ("around", "next_to", "sides") and thing.count == 1:
             each = False
         implied = frame.kind == "with" or self._is_told_next()
-        bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=frame.each)
+        several = frame.each and not self.referents.flanking.issuperset(node.things)
+        bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=several)
         bind(self.draft, bond)
 
     def _stands_at_side(self, frame: Listed, head: Mention, thing: Mention) -> bool:

@@ -411,7 +411,7 @@ class Meanings:
         sides = said.count or (_ALL_SIDES if said.det == "all" and said.plural else 0)
         if said.value == "side" and sides > _SIDES and not (is_small(whole) or meaning.each):
             return self._around_all(sides, meaning, subjects)
-        if kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other"):
+        if kind == "around" and said.value == "side" and (_is_one(said) or (said.det == "other" and not said.plural)):
             kind = _at_one_side(said, whole)
             loose |= kind == "at"
         far = where.word == "opposite" and said.value in _FAR_PARTS and said.det == "the" and not said.plural
@@ -557,6 +557,8 @@ class Meanings:
         self.guessed = guess and self._has_rivals((*subjects, found))
         if found is None:
             return self._of_room(said, subjects)
+        if carried and (two := self._each_of_two("on", found)).each:
+            return two
         return Meaning(
             "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
         )
@@ -649,6 +651,8 @@ class Meanings:
     ) -> Meaning | None:
         name, *walls = said.value.split()
         word = where.word
+        if name == "centre" and word in ("facing", "facing_away", "far"):
+            return Meaning(word, ("centre",), loose=word == "far")
         if name == "centre":
             return self._centre(where, said, subjects, likely, noun)
         each = said.each

@@ -84,6 +84,10 @@ class Relating(Naming):
             return False
         if meaning.each and not all(isinstance(wall, str) for wall in walls):
             return False
+        held = [b for s in subjects for b in self.draft.bonds_of(s) if b.each and b.anchors == walls]
+        if len(held) == len(subjects):
+            self.laid = True
+            return True  # Each of both has its own already: "flanked by two tables with lamps on them".
         for subject in subjects:
             self.referents.settle(subject)
             if subject.count in (None, 1):
