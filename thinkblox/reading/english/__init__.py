@@ -63,6 +63,7 @@ from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.room_sides import with_room_sides
+from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -224,6 +225,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_rooms_having,
         with_room_sides,
         with_opening_places,
         with_part_subjects,
