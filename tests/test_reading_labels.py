@@ -57,6 +57,8 @@ def test_lone_number_is_no_label() -> None:
         "A render of a bathroom with a bathtub.",
         "A floor plan of a bathroom with a bathtub.",
         "A simulation of a bathroom with a bathtub.",
+        "A design for a bathroom with a bathtub.",
+        "A bathroom with the following: a bathtub.",
     ],
 )
 def test_what_shows_a_room_is_nothing_in_it(prompt: str) -> None:
