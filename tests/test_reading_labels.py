@@ -57,6 +57,8 @@ def test_lone_number_is_no_label() -> None:
         "A render of a bathroom with a bathtub.",
         "A floor plan of a bathroom with a bathtub.",
         "A simulation of a bathroom with a bathtub.",
+        "A design for a bathroom with a bathtub.",
+        "A bathroom with the following: a bathtub.",
     ],
 )
 def test_what_shows_a_room_is_nothing_in_it(prompt: str) -> None:
@@ -107,3 +109,28 @@ def test_words_that_go_on_name_nothing(words: str) -> None:
     brief = read_brief(f"A table stands in the middle. {words} two chairs.")
     assert [r.category for r in brief.requests if r.asked] == ["dining_table", "chair"]
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A modern office boasting two desks.", {"desk": 2}),
+        ("A bedroom outfitted with a bed and a wardrobe.", {"bed": 1, "wardrobe": 1}),
+        ("A gym kitted out with three treadmills.", {"treadmill": 3}),
+        ("A waiting room populated with twelve chairs.", {"chair": 12}),
+        ("A hallway adorned with a mirror and equipped with a shoe rack.", {"mirror": 1, "shoe_rack": 1}),
+        ("A nursery centred around a crib.", {"crib": 1}),
+        ("The kitchen accommodates a fridge and an oven.", {"fridge": 1, "oven": 1}),
+    ],
+)
+def test_however_it_is_said_the_room_has_it(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == counts
+    assert not [r for r in brief.relations if r.asked]
+    assert brief.unknown == ()
+
+
+def test_what_fills_a_room_is_in_nothing_else() -> None:
+    brief = read_brief("A bright classroom lined with bookshelves and filled with desks.")
+    assert {r.category for r in brief.requests if r.asked} == {"bookcase", "school_desk"}
+    assert not [r for r in brief.relations if r.asked]

@@ -795,3 +795,37 @@ def test_shelves_of_nothing_are_shelves() -> None:
 )
 def test_one_more_and_all_but_one(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "Surrounded by six chairs, the dining table is in the centre.",
+            {"dining_table": 1, "chair": 6},
+            {"chair around dining_table", "dining_table in_centre centre"},
+        ),
+        (
+            "Flanked by two nightstands, the bed is against the wall.",
+            {"bed": 1, "nightstand": 1, "nightstand-2": 1},
+            {"nightstand left_of bed", "nightstand-2 right_of bed", "bed against_wall wall"},
+        ),
+        (
+            "Filled with toys, a chest is at the foot of the bed.",
+            {"chest": 1, "toy": 3, "bed": 1},
+            {"toy inside chest", "chest at_foot_of bed"},
+        ),
+        (
+            "Standing next to the sofa, a floor lamp lights the corner.",
+            {"sofa": 1, "floor_lamp": 1},
+            {"floor_lamp next_to sofa"},
+        ),
+    ],
+)
+def test_what_is_told_before_a_thing_is_of_it(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+def test_both_of_which_are_the_two_that_were_joined() -> None:
+    brief = read_brief("A shelf hangs between the stove and the fridge, both of which are white.", fill="named")
+    assert {r.category for r in brief.requests if "white" in r.attributes} == {"stove", "fridge"}

@@ -33,6 +33,7 @@ from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.each_of_which import with_each_of_which
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.fronted import with_fronted
 from thinkblox.reading.english.goals import with_goals
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.halves import with_halves
@@ -61,10 +62,12 @@ from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
+from thinkblox.reading.english.plain_turns import with_plain_turns
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.room_sides import with_room_sides
+from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -124,42 +127,6 @@ _ONE_OTHER = re.compile(
     re.IGNORECASE,
 )
 """Where commas are left out around words that tell of two how one stands to the other."""
-_OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
-"""At which side of what was named something is that comes."""
-_WANTED = re.compile(
-    r"(?:^|(?<=[.!?\n] ))(?:(?:i am|i'm|we are|we're|you|we) )?"
-    r"(?:(?:looking|searching|hoping) for|in (?:need|search) of|thinking of|(?:how|what) about|welcome to|"
-    r"(?:step|walk) into|(?:find|found|picture|imagine) (?:yourself|ourselves|myself) in|go for|opt for)"
-    r"(?= (?:an?|the|my|our|this)\b)",
-    re.IGNORECASE,
-)
-"""What else begins to say what is wanted."""
-_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
-"""There is what comes."""
-_INSIDE = re.compile(r"^inside,? (?=(?:is|are|there|you|we)\b)", re.IGNORECASE)
-"""In the room, where nothing was named yet."""
-_LENGTH_OF = re.compile(
-    r"\b(?:run(ning|s)?|stretch(ing|es)?|extend(ing|s)?|span(ning|s)?) (?:along )?the "
-    r"(?:full |whole |entire )?length of(?= (?:the|one|a)\b)",
-    re.IGNORECASE,
-)
-"""What is as long as a wall."""
-_SEATED_AT = re.compile(
-    r"\b(?:at|around|on) which (?:up to )?(\w+) (?:people|persons|guests|students|children|adults) can "
-    r"(?:sit|eat|work|dine|be seated)\b",
-    re.IGNORECASE,
-)
-"""How many have a place at a table."""
-_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
-"""What comes then."""
-_BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
-_SO_THAT = re.compile(
-    r"\b(?:oriented|positioned|placed|turned|arranged|angled|set) so (?:that |as )?(?:it|they|to)(?: is| are)?"
-    r" (fac(?:es?|ing) |look(?:s|ing)? )",
-    re.IGNORECASE,
-)
-"""How a thing is turned, told as what that is for."""
-_THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 _TO_CEILING = re.compile(
     r"\b(?:(reach|go|rise|extend|stretch|run|tower)(es|s|ing)? (?:(?:all|right|straight|nearly|almost) )?(?:the way )?"
     r"(?:up )?(?:to )?|(?:(?:all|right|straight|nearly|almost) )?(?:the way )?up to )the (?:ceiling|roof|rafters)\b",
@@ -192,17 +159,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
-    text = _OF_WHICH.sub(lambda match: f"{match[1].lower()} of which".ljust(len(match[0])), text)
-    text = _WANTED.sub(lambda match: "show".ljust(len(match[0])), text)
-    text = _PRESENT.sub(lambda match: f"there {match[1].lower()}".ljust(len(match[0])), text)
-    text = _INSIDE.sub(lambda match: "here".ljust(len(match[0])), text)
-    text = _LENGTH_OF.sub(lambda match: _along(match).ljust(len(match[0])), text)
-    text = _SEATED_AT.sub(lambda match: f"that seats {match[1]}".ljust(len(match[0])), text)
-    text = _NEXT.sub("then", text)
-    text = _BOTH_SIDES.sub(lambda match: f"flanked {match[1]}".ljust(len(match[0])), text)
-    text = _SO_THAT.sub(lambda match: _turned_so(match[1]).ljust(len(match[0])), text)
-    text = _THREE_D.sub(lambda match: " " * len(match[0]), text)
-    text = with_shares(text)
+    text = with_shares(with_plain_turns(text))
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
@@ -228,6 +185,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_fronted,
+        with_rooms_having,
         with_room_sides,
         with_opening_places,
         with_part_subjects,
@@ -342,17 +301,6 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
 def _and_half(number: str) -> str:
     """The number of "one and a half", in digits."""
     return f"{_TO_TEN.index(number) if number in _TO_TEN else int(number)}.5"
-
-
-def _turned_so(verb: str) -> str:
-    """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
-    return "facing " if verb.lower().startswith("fac") else "looking "
-
-
-def _along(said: re.Match[str]) -> str:
-    """The verb or participle and the preposition for "runs the length of"."""
-    ending = next((group for group in said.groups() if group), "")
-    return f"{'running' if ending.endswith('ing') else 'runs' if ending else 'run'} along"
 
 
 def _full_height(said: re.Match[str]) -> str:

@@ -19,6 +19,11 @@ def with_each_of_which(chunks: Sequence[Chunk]) -> list[Chunk]:
     while at < len(chunks):
         chunk, verb = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
         several = _several_before(made) if isinstance(chunk, (Noun, Connector)) else None
+        if (length := _both_look(chunks, at, made)) > 0:
+            looks = _look_of(chunks[at : at + length])
+            made = [_looking(c, looks) if n in (len(made) - 2, len(made) - 4) else c for n, c in enumerate(made)][:-1]
+            at += length
+            continue
         length = _looks(chunks, at, several)
         if several is not None and length:
             made[-2] = replace(several, attributes=[*several.attributes, *_look_of(chunks[at : at + length])])
@@ -35,6 +40,23 @@ def with_each_of_which(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunk)
             at += 1
     return made
+
+
+def _both_look(chunks: Sequence[Chunk], at: int, made: Sequence[Chunk]) -> int:
+    """How many chunks "both of which are white" has, after two single things that "and" joined; 0 where not so."""
+    both, be, look = (*chunks[at : at + 3], None, None)[:3]
+    told = isinstance(both, Noun) and both.text.lower() == "both of which" and is_link(be, "verbs", "be")
+    if not told or not isinstance(look, Adjective) or len(made) < len(("one", "and", "other", ",")):
+        return 0
+    one, joint, other, comma = made[-4:]
+    two = [c for c in (one, other) if isinstance(c, Noun) and c.kind == "thing" and not c.many]
+    joined = is_link(joint, "joins", "and") and is_link(comma, "mark", "comma") and len(two) == _PAIR
+    ends = at + 3 >= len(chunks) or is_link(chunks[at + 3], "mark")
+    return 3 if joined and ends and _look_of(chunks[at : at + 3]) else 0
+
+
+def _looking(chunk: Chunk, looks: list[str]) -> Chunk:
+    return replace(chunk, attributes=[*chunk.attributes, *looks]) if isinstance(chunk, Noun) else chunk
 
 
 def _several_before(made: Sequence[Chunk]) -> Noun | None:

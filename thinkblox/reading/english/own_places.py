@@ -23,7 +23,8 @@ def _are_apart(chunks: Sequence[Chunk], at: int) -> bool:
     before = at - 1 if is_link(chunks[at - 1], "mark", "comma") else at
     thing = chunks[before - 3]
     if before > 3 and (is_link(thing, "verbs", "be", "stand", "hang") or is_link(thing, "participles", "stand")):
-        thing = chunks[before - 4]
+        seats = before > 5 and is_link(chunks[before - 5], "prepositions", "for")
+        thing = chunks[before - 6] if seats else chunks[before - 4]
     other, place = chunks[at + 1], chunks[before - 1]
     named = isinstance(thing, Noun) and thing.kind == "thing" and isinstance(other, Noun) and other.kind == "thing"
     own = _place(chunks, at + 2)
@@ -37,7 +38,9 @@ def _are_apart(chunks: Sequence[Chunk], at: int) -> bool:
 def _place(chunks: Sequence[Chunk], at: int) -> Noun | None:
     """The place of the room that "in the corner" is; None for other words."""
     link, place = (*chunks[at : at + 2], None, None)[:2]
-    if not is_link(link, "prepositions", *_PLACING) or not isinstance(place, Noun) or place.kind != "place":
+    if not is_link(link, "prepositions", *_PLACING) or not isinstance(place, Noun):
+        return None
+    if place.kind != "place" and (place.kind, place.value) != ("part", "middle"):
         return None
     return None if place.value in ("floor", "ceiling") else place
 

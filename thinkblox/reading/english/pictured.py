@@ -9,6 +9,8 @@ from thinkblox.reading.english.said import is_link
 _PLACING = ("on", "above", "over", "by", "next_to", "against", "behind", "in_front_of", "opposite", "between", "at")
 """Where pictures hang, which are then things in a room."""
 _NEW = ("a", "")
+_MADE = ("design", "layout", "plan", "model", "setup", "scene", "environment", "interior")
+"""What is made for a room."""
 
 
 def with_pictured(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -37,7 +39,8 @@ def _picture(chunks: Sequence[Chunk], at: int) -> int:
     if is_link(link, "verbs", "be") and is_link(_at(chunks, at + 2), "prepositions", "of"):
         return 3 if _is_room(_at(chunks, at + 3)) else 0
     shows = is_link(link, "mark", "colon") or str(getattr(link, "text", "")).lower() in grammar().lists["showing_verbs"]
-    shows |= is_link(link, "prepositions", "of") and not _hangs(_at(chunks, at + 3))
+    of = is_link(link, "prepositions", "of") or (picture.word in _MADE and is_link(link, "prepositions", "for"))
+    shows |= of and not _hangs(_at(chunks, at + 3))
     return 2 if shows and _is_room(_at(chunks, at + 2)) else 0
 
 

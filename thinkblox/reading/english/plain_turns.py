@@ -1,0 +1,84 @@
+"""Turns of speech in plainer words of the same length: "to the left of which", "looking for", "runs the length of"."""
+
+import re
+from collections.abc import Callable
+
+_OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
+"""At which side of what was named something is that comes."""
+_WANTED = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:(?:i am|i'm|we are|we're|you|we) )?"
+    r"(?:(?:looking|searching|hoping) for|in (?:need|search) of|thinking of|(?:how|what) about|welcome to|"
+    r"(?:step|walk) into|(?:find|found|picture|imagine) (?:yourself|ourselves|myself) in|go for|opt for)"
+    r"(?= (?:an?|the|my|our|this)\b)",
+    re.IGNORECASE,
+)
+"""What else begins to say what is wanted."""
+_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
+"""There is what comes."""
+_INSIDE = re.compile(r"^inside,? (?=(?:is|are|there|you|we)\b)", re.IGNORECASE)
+"""In the room, where nothing was named yet."""
+_LENGTH_OF = re.compile(
+    r"\b(?:run(ning|s)?|stretch(ing|es)?|extend(ing|s)?|span(ning|s)?) (?:along )?the "
+    r"(?:full |whole |entire )?length of(?= (?:the|one|a)\b)",
+    re.IGNORECASE,
+)
+"""What is as long as a wall."""
+_SEATED_AT = re.compile(
+    r"\b(?:at|around|on) which (?:up to )?(\w+) (?:people|persons|guests|students|children|adults) can "
+    r"(?:sit|eat|work|dine|be seated)\b",
+    re.IGNORECASE,
+)
+"""How many have a place at a table."""
+_SHINING = re.compile(
+    r"\b(lamps?|chandeliers?|lanterns?|pendants?) (lights?)(?= (?:up )?(?:the|an?|it|this)\b)", re.IGNORECASE
+)
+"""What lamps do, and no name of one."""
+_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
+"""What comes then."""
+_BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
+_SO_THAT = re.compile(
+    r"\b(?:oriented|positioned|placed|turned|arranged|angled|set) so (?:that |as )?(?:it|they|to)(?: is| are)?"
+    r" (fac(?:es?|ing) |look(?:s|ing)? )",
+    re.IGNORECASE,
+)
+"""How a thing is turned, told as what that is for."""
+_THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
+
+
+def with_plain_turns(text: str) -> str:
+    """The text with plainer words, each as long as what it stands for where that is not shorter."""
+    for pattern, plainer in _TURNS:
+        text = pattern.sub(_padded(plainer), text)
+    return text
+
+
+def _padded(plainer: Callable[[re.Match[str]], str]) -> Callable[[re.Match[str]], str]:
+    """The same words with spaces after them, so that all that follows stays in its place."""
+    return lambda said: plainer(said).ljust(len(said[0]))
+
+
+def _turned_so(verb: str) -> str:
+    """The participle of "facing" or "looking at" for the verb of "so that it faces"."""
+    return "facing " if verb.lower().startswith("fac") else "looking "
+
+
+def _along(said: re.Match[str]) -> str:
+    """The verb or participle and the preposition for "runs the length of"."""
+    ending = next((group for group in said.groups() if group), "")
+    return f"{'running' if ending.endswith('ing') else 'runs' if ending else 'run'} along"
+
+
+_TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
+    (_OF_WHICH, lambda said: f"{said[1].lower()} of which"),
+    (_WANTED, lambda said: "show"),
+    (_PRESENT, lambda said: f"there {said[1].lower()}"),
+    (_INSIDE, lambda said: "here"),
+    (_LENGTH_OF, _along),
+    (_SEATED_AT, lambda said: f"that seats {said[1]}"),
+    (_SHINING, lambda said: f"{said[1]} {'helps' if said[2].endswith('s') else 'help'}"),
+    (_NEXT, lambda said: "then"),
+    (_BOTH_SIDES, lambda said: f"flanked {said[1]}"),
+    (_SO_THAT, lambda said: _turned_so(said[1])),
+    (_THREE_D, lambda said: ""),
+)
+"""What is read as what."""
