@@ -557,11 +557,14 @@ class Meanings:
         self.guessed = guess and self._has_rivals((*subjects, found))
         if found is None:
             return self._of_room(said, subjects)
+        return self._on_carrier(found, likely, carried=carried)
+
+    def _on_carrier(self, found: Mention, likely: list[Mention], *, carried: bool) -> Meaning:
+        """What is on top of a thing, or at a side of it; on each of two that flank something, of which all is told."""
         if carried and (two := self._each_of_two("on", found)).each:
             return two
-        return Meaning(
-            "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
-        )
+        each = found.many and found.count is not None and carried and found in likely
+        return Meaning("on", (found,), each=each, told=True)
 
     def _has_rivals(self, besides: Sequence[Mention | None]) -> bool:
         """Whether furniture of several kinds was named besides some."""
