@@ -14,6 +14,8 @@ from thinkblox.value import Vec3
 
 AIRS = (0.08, 0.15, 0.25)
 """Left on either side of what comes between, the best first [m]."""
+PARTED = 12.0
+"""Cost per metre that is missing beside the first of a pair: a little less, and the second stands across the room."""
 
 
 def partner_ideas(situation: Situation) -> Iterator[Idea]:
@@ -92,8 +94,8 @@ def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None
         if own.id in _looked_at(other) or other.id in _looked_at(own):
             if not _comes_between(follower):
                 return None
-            return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, 4.0)
-        return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
+            return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, PARTED)
+        return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, PARTED)
     return None
 
 
