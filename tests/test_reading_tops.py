@@ -50,6 +50,10 @@ from thinkblox.reading import read_brief
         ),
         ("A studio with a camera on a tripod.", "1 camera on tripod"),
         ("A studio with two cameras on tripods.", "2 camera on tripod"),
+        (
+            "A shop with two cupboards. One of them holds ten tins, the other one four teapots.",
+            "10 tin_can inside cabinet, 4 teapot inside cabinet-2",
+        ),
         ("The TV stands on a cabinet. A plant is to the left of the TV.", "1 plant left_of tv"),
         ("A bench at the left end of the table.", "1 bench left_of dining_table"),
         ("A kitchen with an island, three stools on one side of the island.", "3 bar_stool in_front_of kitchen_island"),

@@ -272,6 +272,14 @@ def test_a_camera_on_a_tripod_is_a_camera_and_a_tripod_that_looks_its_way() -> N
     assert not shortfalls(done.report)
 
 
+def test_two_with_a_third_between_stand_as_far_apart_as_that_needs() -> None:
+    done = room("A tea shop with two cupboards against the wall. Between the two stands a small round table.")
+    cupboards = of(done, "cabinet")
+    (table,) = of(done, "display_table")
+    assert len(cupboards) == 2
+    assert all(measure(done.scene, "next_to", table.id, (cupboard.id,)).holds for cupboard in cupboards)
+
+
 def test_what_has_no_room_on_the_top_is_told() -> None:
     done = room("A canteen kitchen with a serving trolley with eight microwaves on it.")
     assert [said for said in shortfalls(done.report) if "on serving_trolley_1" in said]

@@ -14,6 +14,8 @@ from thinkblox.value import Vec3
 
 AIRS = (0.08, 0.15, 0.25)
 """Left on either side of what comes between, the best first [m]."""
+PARTED, IN_LINE = 12.0, 4.0
+"""Cost per metre that is missing beside the first of a pair, as the second stands across the room then; in a run."""
 
 
 def partner_ideas(situation: Situation) -> Iterator[Idea]:
@@ -83,7 +85,7 @@ def _takes_floor(situation: Situation, target: Target) -> bool:
 
 def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None:
     """Floor beside the first of a pair: for what comes between them, and the second; None where there is no second."""
-    own = situation.target
+    own, weight = situation.target, IN_LINE if situation.facts.is_in("built_in_line") else PARTED
     for other in situation.observation.plan.targets:
         if other.id == own.id or other.id in situation.scene or other.id not in _sharers(follower):
             continue
@@ -92,8 +94,8 @@ def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None
         if own.id in _looked_at(other) or other.id in _looked_at(own):
             if not _comes_between(follower):
                 return None
-            return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, 4.0)
-        return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
+            return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, weight)
+        return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, weight)
     return None
 
 

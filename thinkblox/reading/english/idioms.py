@@ -44,7 +44,7 @@ _LONGEST = 6
 
 def plainly(tokens: Sequence[Token]) -> list[Token]:
     """The tokens with the plain words for each turn of phrase; what was written stays what they show."""
-    return _rows(_hyphened(list(_plain(list(_corrected([*_everywhere(tokens)]))))))
+    return _rows(_hyphened(list(_plain(list(_corrected([*_elided([*_everywhere(tokens)])]))))))
 
 
 def _everywhere(tokens: Sequence[Token]) -> Iterator[Token]:
@@ -58,6 +58,25 @@ def _everywhere(tokens: Sequence[Token]) -> Iterator[Token]:
         else:
             yield tokens[at]
             at += 1
+
+
+def _elided(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Read "one holds a tin, the other one four cups" as "the other four cups": no cups are called "four cups"."""
+    for at, token in enumerate(tokens):
+        if token.text == "one" and at and tokens[at - 1].text == "other" and _is_counted(tokens, at + 1):
+            continue
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        led = token.text == "other" and after is not None and after.text == "one" and _is_counted(tokens, at + 2)
+        yield replace(token, shown=f"{token.shown} {after.shown}") if led and after is not None else token
+
+
+def _is_counted(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a number and a plural come and nothing of the same clause, as it does after a measure."""
+    if at + 1 >= len(tokens) or not tokens[at + 1].text.endswith("s"):
+        return False
+    after = tokens[at + 2] if at + 2 < len(tokens) else None
+    number = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    return number and (after is None or after.kind == "mark" or after.text == "and")
 
 
 def _corrected(tokens: Sequence[Token]) -> Iterator[Token]:
