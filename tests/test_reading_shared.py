@@ -829,3 +829,64 @@ def test_what_is_told_before_a_thing_is_of_it(prompt: str, things: dict[str, int
 def test_both_of_which_are_the_two_that_were_joined() -> None:
     brief = read_brief("A shelf hangs between the stove and the fridge, both of which are white.", fill="named")
     assert {r.category for r in brief.requests if "white" in r.attributes} == {"stove", "fridge"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        (
+            "Eight desks (on each: two monitors, a keyboard and a lamp; at each: an office chair), a plotter.",
+            {"desk": 8, "monitor": 16, "keyboard": 8, "desk_lamp": 8, "office_chair": 8, "plotter": 1},
+        ),
+        (
+            "Eight desks (two monitors, a keyboard and a lamp on each, an office chair at each), a plotter.",
+            {"desk": 8, "monitor": 16, "keyboard": 8, "desk_lamp": 8, "office_chair": 8, "plotter": 1},
+        ),
+        (
+            "Eight desks, two monitors, a keyboard and a lamp on each.",
+            {"desk": 8, "monitor": 16, "keyboard": 8, "desk_lamp": 8},
+        ),
+        (
+            "Six beds (a pillow, a blanket and a teddy bear on each), a clock on the wall.",
+            {"bed": 6, "pillow": 6, "blanket": 6, "teddy_bear": 6, "clock": 1},
+        ),
+        (
+            "Six tables (per table: four chairs, a vase and a menu), a bar and a piano.",
+            {"dining_table": 6, "chair": 24, "vase": 6, "menu": 6, "bar_counter": 1, "piano": 1},
+        ),
+    ],
+)
+def test_lists_in_brackets_are_of_each(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("There are six chairs. Two chairs are by the window.", {"chair": 2, "chair-2": 4}),
+        (
+            "There are four paintings. Two paintings hang above the sofa and two paintings hang by the door.",
+            {"picture": 2, "picture-2": 2, "sofa": 1},
+        ),
+        (
+            "There are four chairs. Two chairs are next to the window, one chair is by the door.",
+            {"chair": 2, "chair-2": 1, "chair-3": 1},
+        ),
+        ("Six chairs are by the door. Two chairs are by the window.", {"chair": 6, "chair-2": 2}),
+        ("Three tables with four chairs each, twelve chairs in all.", {"dining_table": 3, "chair": 12}),
+        ("Three tables with four chairs each, for a total of twelve chairs.", {"dining_table": 3, "chair": 12}),
+        (
+            "Two benches with two backpacks on each, so that makes four backpacks altogether.",
+            {"bench": 2, "backpack": 4},
+        ),
+        ("A table with six cups in total.", {"dining_table": 1, "cup": 6}),
+    ],
+)
+def test_some_of_several_and_sums_are_no_more_of_them(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+def test_a_sum_that_is_wrong_is_told() -> None:
+    assert read_brief("Two benches with two backpacks on each, five backpacks altogether.").unknown == (
+        "five backpacks",
+    )

@@ -44,6 +44,7 @@ from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.likings import with_likings
+from thinkblox.reading.english.lists_for_each import with_lists_for_each
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
@@ -78,6 +79,7 @@ from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.told_apart import with_told_apart
 from thinkblox.reading.english.top_sides import with_top_sides
+from thinkblox.reading.english.totals import with_totals
 from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
@@ -173,7 +175,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_totals,
         with_likings,
+        with_lists_for_each,
         with_outside,
         with_two_colours,
         with_as_many,

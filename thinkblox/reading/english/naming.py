@@ -6,7 +6,7 @@ from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.quantities import SHELVES, is_shelved
 from thinkblox.reading.english.referents import last_word
@@ -23,6 +23,11 @@ _SLEEPERS = {"for-1": "single", "for-2": "double"}
 _ANGLED = "L-shaped"
 """What a corner sofa is wherever it stands."""
 
+_PLACED = (
+    "in", "on", "on_top", "at", "by", "near", "next_to", "against", "along", "under", "above", "behind", "in_front_of",
+    "around", "between", "opposite", "left_of", "right_of", "to", "facing",
+)  # fmt: skip
+"""Prepositions that tell where some of several are."""
 _POINTING = ("the", "all")
 """Determiners of what is pointed at, though it may only be told of later."""
 
@@ -52,7 +57,7 @@ class Naming(Several):
             self._new(replace(noun, count=noun.total, plural=True, ordinal=0, side="", of_known=False, total=0))
         if noun.degree and noun.det in ("the", "my"):
             return self._by_degree(noun)
-        if some := self._some_of_unnamed(noun) or self._some_told(noun):
+        if some := self._some_of_unnamed(noun) or self._some_told(noun) or self._some_placed(noun):
             return [some]
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
@@ -86,7 +91,9 @@ class Naming(Several):
         """Read "three chairs are black", where there are more of them, as some of these."""
         begins = not (self.frontier or self.clause.members) and not noun.det and noun.count and not noun.of_known
         looks = self.peek(1) if self._is_link(self.peek(), "verbs", "be") else None
-        if not begins or not isinstance(looks, Adjective) or not looks.attributes or noun.attributes:
+        if not begins or not isinstance(looks, Adjective) or noun.attributes:
+            return None
+        if not (looks.attributes or looks.unshown):
             return None
         whole = self.referents.named(noun)
         several = whole is not None and last_word(whole) == noun.word
@@ -94,6 +101,22 @@ class Naming(Several):
             return None
         noun.of_known = True
         return self.referents.part(whole, noun.count or 1)
+
+    def _some_placed(self, noun: Noun) -> Mention | None:
+        """Read "two paintings hang above the sofa", after "there are four paintings", as some of these or the rest."""
+        plain = not (noun.det or noun.of_known or noun.attributes or noun.unshown or noun.rows or noun.groups)
+        told = self._is_link(self.peek(), "verbs", "be", "stand", "hang") and isinstance(self.peek(1), Connector)
+        if not plain or not noun.count or not told or not self._is_link(self.peek(1), "prepositions", *_PLACED):
+            return None
+        whole = self.referents.named(noun)
+        if whole is None or last_word(whole) != noun.word or not whole.plural:
+            return None
+        bonds = [b for b in self.draft.bonds_of(whole) if not b.implied and b.anchors != ("wall",)]
+        left, parted = self.referents.total(whole), len(self.referents.family(whole)) > 1
+        if bonds or whole.vague or left < noun.count or (left == noun.count and not parted):
+            return None
+        noun.of_known = True
+        return whole if left == noun.count else self.referents.part(whole, noun.count)
 
     def _by_degree(self, noun: Noun) -> list[Mention]:
         """What "the larger table" is: one of several; of two that were told apart, the one said to be large."""
