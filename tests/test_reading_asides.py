@@ -111,3 +111,35 @@ def test_what_stands_by_what_is_outside_is_told(words: str) -> None:
     brief = read_brief(f"A sofa {words}.")
     assert {r.category for r in brief.requests if r.asked} == {"sofa"}
     assert brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("A bed and a desk. Done.", {"bed": 1, "desk": 1}),
+        ("A desk by the window with a bag on the floor next to the desk.", {"desk": 1, "handbag": 1}),
+        ("A bicycle by the wall with an umbrella on the floor next to the bicycle.", {"bicycle": 1, "umbrella": 1}),
+        ("A table saw with a dust collector next to it.", {"table_saw": 1, "dust_collector": 1}),
+        ("Go on to the corner and you meet a grandfather clock.", {"grandfather_clock": 1}),
+        ("A glass shower cabin and a bath mat in front of the cabin.", {"shower_cabin": 1, "bath_mat": 1}),
+    ],
+)
+def test_only_what_is_named_is_asked_for(prompt: str, things: dict[str, int]) -> None:
+    assert told(prompt)[0] == things
+
+
+@pytest.mark.parametrize(
+    "prompt", ["There is one sofa: blue, long, against the wall.", "A sofa: blue, long, against the wall."]
+)
+def test_looks_after_a_colon_are_of_the_thing(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.request("sofa").attributes == ("blue", "long")
+    assert [(r.kind, r.subject) for r in brief.relations if r.asked] == [("against_wall", "sofa")]
+    assert not brief.unknown
+
+
+def test_an_office_under_the_stairs_has_no_stairs() -> None:
+    brief = read_brief("I squeezed an office under the stairs, it's only 1.4 by 2.2 m. A desk against the wall.")
+    assert (brief.room_type, brief.width, brief.depth) == ("office", 1.4, 2.2)
+    assert [r.category for r in brief.requests if r.asked] == ["desk"]
+    assert brief.unknown == ("under the stairs",)

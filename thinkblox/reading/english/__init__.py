@@ -72,6 +72,7 @@ from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
+from thinkblox.reading.english.short_names import with_short_names
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
@@ -175,6 +176,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_short_names,
         with_totals,
         with_likings,
         with_lists_for_each,

@@ -45,6 +45,11 @@ class Descriptions(Rooms):
                 looks = self.draft.shape_room(self.draft.room, looks)
                 self.draft.room_attributes += looks
                 self.draft.tones.append(tuple(looks))
+            elif before := self._things_before():
+                for thing in before:
+                    thing.attributes += self._looks_of(said, denied=self.negating)
+                    thing.unshown += said.unshown
+                self.frontier = [Node(before, self.clause, known=True)]
             elif said.attributes:
                 self.account.mark(said.start, said.end, "style")
             return
@@ -53,6 +58,15 @@ class Descriptions(Rooms):
             thing.attributes += looks
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
+
+    def _things_before(self) -> list[Mention]:
+        """What was named before a colon or commas and other adjectives: "one sofa: blue, long"."""
+        for chunk in self.chunks[self.at - 2 :: -1]:
+            looks = isinstance(chunk, Adjective) or self._is_link(chunk, "mark", "comma", "colon")
+            if not looks and not self._is_link(chunk, "fillers"):
+                named = isinstance(chunk, Noun) and chunk.kind == "thing"
+                return [t for t in self.meant.get(chunk.start, ()) if t in self.draft.things] if named else []
+        return []
 
     def _says_how_high(self, said: Adjective) -> bool:
         """Say of "mounted high on the wall" that we do not see to it."""

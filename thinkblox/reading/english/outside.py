@@ -28,6 +28,8 @@ def with_outside(chunks: Sequence[Chunk]) -> list[Chunk]:
                 continue  # The painting of the sea is one.
             lost = Stray(link.start, noun.end, f"{link.text} {noun.text}")
             made[at - 1 : at + 1] = [_filler(link), _filler(noun)] if seen else [_filler(link), lost]
+        elif is_link(link, "prepositions", "under") and _is_stairs(noun) and _is_room(before):
+            made[at - 1 : at + 1] = [_filler(link), Stray(link.start, noun.end, f"{link.text} {noun.text}")]
         elif is_link(link, "prepositions", "on") and _is_storey(noun) and isinstance(before, Noun):
             kept = before.kind == "room"
             lost = Stray(link.start, noun.end, f"{link.text} {noun.text}")
@@ -39,6 +41,14 @@ def _is_outside(noun: Noun) -> bool:
     """Whether it is the garden, or another place that is none of the room's, of which nothing more is said."""
     named = noun.kind in ("thing", "abstract") and noun.det in ("a", "the", "my") and not noun.count
     return named and noun.called in grammar().lists["outside"]
+
+
+def _is_room(chunk: Chunk | None) -> bool:
+    return isinstance(chunk, Noun) and chunk.kind == "room"
+
+
+def _is_stairs(noun: Noun) -> bool:
+    return noun.kind == "thing" and noun.word in grammar().lists["stairs"]
 
 
 def _is_storey(noun: Noun) -> bool:

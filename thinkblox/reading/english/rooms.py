@@ -157,7 +157,7 @@ class Rooms(Memberships):
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
             return False
         named = self._is_link(self._before(), "verbs", "be", "serve")
-        if self.draft.room == "room" and not self.draft.things and named:
+        if self.draft.room == "room" and not self.draft.things and (named or not noun.det):
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         listed = (

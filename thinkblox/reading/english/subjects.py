@@ -84,7 +84,8 @@ class Subjects(Having):
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
             holds = self._contains(head.things[-1])
             return self._joined(head, where) if holds else Node([*head.things, *inner.things], head.frame)
-        if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
+        floor = where.word == "on" and where.noun is not None and where.noun.value == "floor"
+        if head is not None and head.things and not floor and self._is_of_head(inner, inner.frame, head, where):
             return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
 
