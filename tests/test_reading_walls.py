@@ -123,3 +123,18 @@ def test_the_left_of_two_things_is_no_side_of_the_room():
     brief = read_brief("The bed has two nightstands. The left has a lamp and the right has a book.")
     told = {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked}
     assert {("table_lamp", "on", ("nightstand",)), ("book", "on", ("nightstand-2",))} <= told
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A glass cabinet on the wall.", ("wall_cabinet", "on", ("wall",))),
+        ("A display cabinet hangs on the wall.", ("wall_cabinet", "on", ("wall",))),
+        ("A glass cabinet against the wall.", ("china_cabinet", "against_wall", ("wall",))),
+        ("A trophy cabinet stands on the left wall.", ("china_cabinet", "against_wall", ("left_wall",))),
+    ],
+)
+def test_a_cabinet_on_the_wall_hangs_there(prompt: str, relation: tuple[str, str, tuple[str, ...]]) -> None:
+    brief = read_brief(prompt)
+    assert [(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked] == [relation]
+    assert not brief.unknown

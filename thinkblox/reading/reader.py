@@ -152,6 +152,13 @@ def _spans(kind: Category, other: Category) -> bool:
     return kind.mount == other.mount == "floor" and "over" in kind.forms
 
 
+def _hung_form(kind: Category, mount: str, bond: Bond) -> str | None:
+    """What hangs in place of a kind that stands: a wall cabinet for a glass cabinet that is said to be on the wall."""
+    plain = bond.anchors == ("wall",) or WALL_MOUNTED in bond.subject.attributes
+    names = [kind.name, *([kind.name.rpartition("_")[2]] if kind.is_in("cases") and plain else [])]
+    return next((f"{mount}_{name}" for name in names if f"{mount}_{name}" in CATALOGUE), None)
+
+
 def _hang(bond: Bond, place: str) -> None:
     """Hang what is said to be on a wall or the ceiling, where it can; furniture stands against the wall."""
     thing, kind = bond.subject, kind_of(bond.subject.noun)
@@ -161,8 +168,8 @@ def _hang(bond: Bond, place: str) -> None:
         thing.attributes.remove(WALL_MOUNTED)
     if not word or kind.mount == mount:
         return
-    if f"{mount}_{kind.name}" in CATALOGUE:
-        bond.subject.noun = f"{mount}_{kind.name}"
+    if (hung := _hung_form(kind, mount, bond)) is not None:
+        bond.subject.noun = hung
         return
     stands = _stands_up_to_walls(kind) or (_stands_at_walls(kind) and word not in bond.subject.attributes)
     if mount_of(kind, (word,)) == mount and not stands:
