@@ -61,7 +61,7 @@ def _is_one_with(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_counted_instead(made: Sequence[Chunk], said: Sequence[Chunk]) -> bool:
     """Whether a number tells how many there are in place of others: "stools instead of chairs, exactly four"."""
-    thing, link, other = (None, None, None, *made)[-3:]
+    thing, link, other = (None, None, None, *made[-3:])[-3:]
     several = isinstance(thing, Noun) and thing.kind == "thing" and thing.count is None and thing.plural
     number = said[1] if len(said) > 1 and is_link(said[0], "mark", "comma") else None
     told = isinstance(number, Noun) and number.kind == "number" and bool(number.count) and not number.of_known

@@ -18,7 +18,7 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
         number = 0
         if isinstance(noun, Noun) and noun.share and is_link(link, "prepositions", "as") and isinstance(other, Noun):
             number = int(noun.share * _number_later(other, chunks[at + 3 :]))
-        per = _number_per(noun, link, other, chunks[at + 3 :])
+        per = _number_per(noun, other, chunks[at + 3 :]) if is_link(link, "prepositions", "per") else 0
         if per and isinstance(noun, Noun):
             made.append(replace(noun, count=per, plural=per > 1))
             at += 2
@@ -34,9 +34,9 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
     return made
 
 
-def _number_per(noun: Chunk | None, per: Chunk | None, other: Chunk | None, after: Sequence[Chunk]) -> int:
+def _number_per(noun: Chunk | None, other: Chunk | None, after: Sequence[Chunk]) -> int:
     """How many "one table per four chairs" are, where it is told later how many the chairs are; 0 for other words."""
-    if not (isinstance(noun, Noun) and isinstance(other, Noun) and is_link(per, "prepositions", "per")):
+    if not (isinstance(noun, Noun) and isinstance(other, Noun)):
         return 0
     several = noun.kind == "thing" and other.kind == "thing" and (other.count or 0) > 1
     total = _number_later(replace(other, count=None), after) if several else 0

@@ -32,14 +32,14 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_measuring(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether a thing measures what comes."""
-    thing, measures, size = (None, *chunks)[at : at + 3] if at + 1 < len(chunks) else (None, None, None)
+    thing, measures, size = chunks[at - 1 : at + 2] if 0 < at < len(chunks) - 1 else (None, None, None)
     verb = isinstance(measures, Noun) and measures.text.lower() in ("measures", "measure")
     return isinstance(thing, Noun) and thing.kind == "thing" and verb and isinstance(size, Measured)
 
 
 def _number(said: Sequence[Chunk]) -> int:
     """The number of "(2)"; 0 for other words."""
-    opens, number, closes = (*said, None, None, None)[:3]
+    opens, number, closes = (*said[:3], None, None, None)[:3]
     alone = isinstance(number, Noun) and number.kind == "number" and not (number.attributes or number.of_known)
     if not (is_link(opens, "mark", "open") and is_link(closes, "mark", "close") and alone):
         return 0

@@ -15,6 +15,8 @@ _AXES = {
 _CEILING = ("ceiling", "ceilings")
 _ARTICLES = ("a", "an", "the", "its", "my", "our")
 _FIRST = frozenset({*_AXES, *_CEILING, *_ARTICLES, "room", "total", "overall"})
+_NAMED, _NEAR = frozenset({*_AXES, *_CEILING}), 6
+"""What names a side, and among how many words one has to come."""
 _LINKS = ("of", "is", "are", ":", "=", "at", "being")
 _MOST = 3
 """So many sides are told together."""
@@ -24,9 +26,9 @@ _SAID = ("measures", "spans")
 _RELATIVE = ("that", "which")
 
 
-def led_size(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Size, int] | None:
+def led_size(lexicon: Lexicon, tokens: list[Token], start: int) -> tuple[Size, int] | None:
     """The size that begins at `start` with the name of a side or ends with the ceiling, and the token after it."""
-    if tokens[start].text not in _FIRST:
+    if tokens[start].text not in _FIRST or _NAMED.isdisjoint(token.text for token in tokens[start : start + _NEAR]):
         return None
     found = _of_ceiling(lexicon, tokens, start)
     lengths: list[Length] = []
@@ -41,7 +43,7 @@ def led_size(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Siz
     return Size(tuple(lengths), " ".join(token.shown for token in tokens[start:end])), end
 
 
-def _told(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Length, int] | None:
+def _told(lexicon: Lexicon, tokens: list[Token], start: int) -> tuple[Length, int] | None:
     """The one side that is named at a token, and the token after its length."""
     at = start + (start < len(tokens) and tokens[start].text in _ARTICLES)
     at += at < len(tokens) and tokens[at].text in ("room", "total", "overall")
@@ -55,9 +57,9 @@ def _told(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Length
     if not (linked or axis):
         return None
     at += linked
-    about = grammar().at(list(tokens), at, "quantifiers")
+    about = grammar().at(tokens, at, "quantifiers")
     at += about.length if about is not None else 0
-    size = read_size(lexicon, list(tokens), at) if at < len(tokens) else None
+    size = read_size(lexicon, tokens, at) if at < len(tokens) else None
     if size is None or len(size[0].lengths) > 1 or size[0].area is not None:
         return None
     length = size[0].lengths[0]
@@ -65,10 +67,10 @@ def _told(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Length
     return (replace(length, axis=axis), size[1]) if length.axis in ("", axis) else None
 
 
-def _of_ceiling(lexicon: Lexicon, tokens: Sequence[Token], start: int) -> tuple[Size, int] | None:
+def _of_ceiling(lexicon: Lexicon, tokens: list[Token], start: int) -> tuple[Size, int] | None:
     """The height of "an 8 foot ceiling", "a 3 m high ceiling"."""
     at = start + (tokens[start].text in _ARTICLES)
-    size = read_size(lexicon, list(tokens), at) if at < len(tokens) else None
+    size = read_size(lexicon, tokens, at) if at < len(tokens) else None
     if size is None or len(size[0].lengths) > 1 or size[1] >= len(tokens) or tokens[size[1]].text not in _CEILING:
         return None
     length, end = replace(size[0].lengths[0], axis="height"), size[1] + 1

@@ -17,17 +17,16 @@ def with_pictured(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the room that is shown is the room, as long as nothing was named before it."""
     made: list[Chunk] = []
     at = 0
-    while at < len(chunks):
-        length = 0 if _names_thing(made) else _picture(chunks, at)
+    while at < len(chunks) and not (made and _names_thing(made[-1])):
+        length = _picture(chunks, at)
         if not length:
             made.append(chunks[at])
         at += length or 1
-    return made
+    return [*made, *chunks[at:]]
 
 
-def _names_thing(before: Sequence[Chunk]) -> bool:
-    """Whether a thing or a room was named before."""
-    return any(isinstance(chunk, Noun) and chunk.kind in ("thing", "room") for chunk in before)
+def _names_thing(chunk: Chunk) -> bool:
+    return isinstance(chunk, Noun) and chunk.kind in ("thing", "room")
 
 
 def _picture(chunks: Sequence[Chunk], at: int) -> int:
