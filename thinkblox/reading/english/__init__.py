@@ -61,6 +61,7 @@ from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
+from thinkblox.reading.english.potted import with_potted
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
@@ -242,6 +243,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_things_between,
         with_ones_apart,
         with_wholes,
+        with_potted,
         with_goals,
         with_tasks,
         with_rough,

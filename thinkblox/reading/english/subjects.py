@@ -22,6 +22,8 @@ _ROOM_PARTS = ("front", "back", "end")
 """Parts that rooms have too."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
+_PLATE = 0.3
+"""So large at most is what holds a meal, and no drink besides [m]."""
 _THIN = 0.4
 """So much at most of its longest side is the shortest of what can lean against something."""
 _BONDS = 20
@@ -82,7 +84,7 @@ class Subjects(Having):
             return self._past_anchor(nodes, where)
         head = inner.frame.head
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
-            holds = self._contains(head.things[-1])
+            holds = self._contains(head.things[-1]) or self._is_served_there(inner.things[-1], inner.frame)
             return self._joined(head, where) if holds else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
@@ -302,6 +304,13 @@ class Subjects(Having):
             b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside") and (b.implied or frame.kind != "with")
         )
         return any(a in heads for bond in held for a in bond.anchors)
+
+    def _is_served_there(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it lies on what has it, as cups on a tray; the glass of "a plate with a roll and a glass" not."""
+        head, first = frame.head, frame.members[0]
+        plate = head is not None and max(kind_of(head.things[-1].noun).size) <= _PLATE
+        drink = plate and first is not thing and _is_cup(thing) and not _is_cup(first)
+        return self._is_held(thing, frame) and not drink
 
     def _is_listed(self, noun: Noun, frame: Listed) -> bool:
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
@@ -708,6 +717,11 @@ def is_raised(noun: str, attributes: Sequence[str]) -> bool:
 def _is_filled(thing: Mention, bond: Bond) -> bool:
     """Whether it only says what a small thing holds, which itself may be anywhere."""
     return is_small(thing) and bond.kind in ("inside", "on")
+
+
+def _is_cup(thing: Mention) -> bool:
+    """Whether one drinks from it, or it is a drink in what one drinks from: "a glass of milk"."""
+    return not grammar().lists["cups"].isdisjoint((last_word(thing), thing.noun, thing.noun.partition("_of_")[0]))
 
 
 def _is_thin(thing: Mention) -> bool:
