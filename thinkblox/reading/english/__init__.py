@@ -8,6 +8,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
+from thinkblox.reading.english.all_there_is import with_all_there_is
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.as_many import with_as_many
@@ -264,6 +265,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_stacked_pairs,
         with_noughts,
         with_nothing_else,
+        with_all_there_is,
         with_counted_rows,
         with_reasons,
         with_assortments,

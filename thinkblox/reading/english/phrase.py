@@ -6,7 +6,7 @@ from thinkblox.knowledge.vocabulary import is_person
 from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
-from thinkblox.reading.english.heads import Heads, is_purpose
+from thinkblox.reading.english.heads import ARTICLES, Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
@@ -149,6 +149,8 @@ class PhraseReader(Heads):
         noun.end = end
         self._head(noun, units)
         noun.called = f"{noun.called} {self._called(noun, units)}".strip()
+        if not noun.det and noun.count is None and self.tokens[noun.start].text in ARTICLES:
+            noun.det = "a"
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
