@@ -44,6 +44,7 @@ from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.likings import with_likings
+from thinkblox.reading.english.moved_parts import with_moved_parts
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
@@ -232,6 +233,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_carrying,
         with_room_sides,
         with_opening_places,
+        with_moved_parts,
         with_part_subjects,
         with_own_places,
         with_ways,

@@ -313,11 +313,12 @@ class Cutter:
             return doing
         if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
-        last = self.made[-1] if self.made else None
         if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
             return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
         state = grammar().at(self.tokens, self.at, "states")
-        found = isinstance(last, Connector) and last.value in ("be", "leave") and state is not None
+        said = next((c for c in reversed(self.made) if not (isinstance(c, Connector) and c.sort == "fillers")), None)
+        found = isinstance(said, Connector) and said.value in ("be", "leave") and state is not None
+        found |= link is not None and link.value == "face"  # "face down" is how a thing lies.
         if found and state is not None and (link is None or state.length >= link.length):
             link = None
         if link is not None:

@@ -650,7 +650,7 @@ class PhraseReader(Heads):
             self._idle(noun, at, at + filler.length)
             if can and self.tokens[at].text == "own":
                 noun.det = "a"
-            return filler.length if can and self._starts_noun(at + filler.length) else 0
+            return filler.length if can and self._starts_noun(self._past_state(at + filler.length)) else 0
         if (noun.det, self.tokens[at].text) == ("each", "half"):
             units.nouns.append(Unit("half"))
             return 1
@@ -660,6 +660,11 @@ class PhraseReader(Heads):
         if noun.det == "each" and doing.value in ("hold", "carry", "surround", "flank", "line"):
             return 0
         return 1 if counted and not units.nouns and self._starts_noun(at + 1) else 0
+
+    def _past_state(self, at: int) -> int:
+        """Where it goes on after "folded" of "a neatly folded towel"."""
+        state = grammar().at(self.tokens, at, "states")
+        return at + state.length if state is not None else at
 
     def _ends_before(self, at: int, units: Units) -> bool:
         """Whether the name that was read ends before an unknown word."""

@@ -413,6 +413,8 @@ class Subjects(Having):
             b.kind in ("on", "inside") and inner.things[-1] in b.anchors
             for b in self.draft.bonds_of(subject.things[-1])
         )
+        if carries and self._is_between_small(where, inner):
+            return subject
         apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
         known = inner.known and not (carries or is_small(subject.things[-1]) or self._is_first_named(inner, where))
         if inner.told or where.negated or apart or known:
@@ -438,6 +440,13 @@ class Subjects(Having):
             beside = where.word in _BY_OWNER or where.noun.value in SIDES
             return subject if aside and (inner.known or not beside) else inner
         return inner
+
+    def _is_between_small(self, where: Where, carrier: Node) -> bool:
+        """Whether what lies on something is between small things there: "a book on the shelf between two bookends"."""
+        noun = where.noun
+        small = where.word == "between" and noun is not None and noun.kind == "thing"
+        small = small and noun is not None and self._belongs(noun.value, "small")
+        return small and not is_small(carrier.things[-1])
 
     def _joined(self, node: Node, where: Where) -> Node:
         """A list that shares what is said of its last member: "a vase and two candles on the table"."""
