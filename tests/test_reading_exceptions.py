@@ -170,3 +170,24 @@ def test_second_thoughts(prompt: str, kept: dict[str, int], barred: tuple[str, .
     assert {r.category: r.count for r in brief.requests if r.asked} == kept
     assert brief.excluded == barred
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("The sofa has three chairs. Two are red. One is blue.", {"red": 2, "blue": 1}),
+        ("Five chairs. Three are red. Two are blue.", {"red": 3, "blue": 2}),
+        ("There are three chairs. One is blue. Two are red.", {"red": 2, "blue": 1}),
+        ("Six chairs. Two are red. Two are blue. Two are green.", {"red": 2, "blue": 2, "green": 2}),
+        ("Three chairs. One is red. It stands by the door. Two are blue.", {"red": 1, "blue": 2}),
+    ],
+)
+def test_a_number_after_some_were_told_of_is_of_the_rest(prompt: str, expected: dict[str, int]) -> None:
+    assert looks(prompt, "chair") == expected
+
+
+def test_what_some_have_is_no_part_of_their_name() -> None:
+    brief = read_brief("There are four desks. One has a lamp. Two have computers. One is empty.")
+    assert relations(brief) == {"1 desk_lamp on desk", "2 computer on desk-2"}
+    assert sorted(r.count for r in brief.requests if r.category == "desk") == [1, 1, 2]
+    assert brief.unknown == ()

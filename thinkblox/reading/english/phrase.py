@@ -28,6 +28,8 @@ _BUILT = ("floor", "wall", "ceiling", "window", "door")
 _SIZES = ("large", "small")
 """Attributes by words that name things as well: "a grand hotel", "a grand"."""
 
+_FINITE = frozenset("has have had is are was were hold holds carry carries contain contains".split())
+"""Verbs that tell of so many what they are or have, and are no part of a name: "two have lamps"."""
 _AT_SIDE = ("on", "to", "at", "in")
 """Before a side at which so many stand: "on the left three beds"."""
 
@@ -551,6 +553,7 @@ class PhraseReader(Heads):
         before = self.tokens[at - 1].text
         ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
         ends |= noun.of_known and before in ("them", "which", "whom")
+        ends |= noun.count is not None and not noun.det and self.tokens[at].text in _FINITE
         return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
