@@ -239,3 +239,44 @@ def test_what_faces_the_middle_is_not_in_it(prompt: str, relation: str) -> None:
     found = related(read_brief(prompt))
     assert relation in found
     assert not any("in_centre" in said for said in found)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A tray with two cups on the coffee table.", "2 cup on tray, 1 tray on coffee_table"),
+        ("A tray with a teapot and two cups on the table.", "1 teapot on tray, 2 cup on tray, 1 tray on dining_table"),
+        ("A plate with an apple on the table.", "1 apple on plate, 1 plate on dining_table"),
+        (
+            "A plate with a sandwich and a glass on the table.",
+            "1 sandwich on plate, 1 plate on dining_table, 1 glass on dining_table",
+        ),
+        ("A cup with two toothbrushes on the shelf.", "2 toothbrush inside cup, 1 cup on shelving_unit"),
+        ("A toolbox with a hammer on the workbench.", "1 hammer inside toolbox, 1 toolbox on workbench"),
+        ("A shoebox with three books under the bed.", "3 book inside box, 1 box under bed"),
+        ("A pan with two eggs on the stove.", "2 egg on frying_pan, 1 frying_pan on stove"),
+        ("A keyboard with a mouse on the desk.", "1 keyboard on desk, 1 mouse on desk"),
+    ],
+)
+def test_what_lies_on_a_tray_stays_on_it_where_the_tray_is_told_to_be(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "plants"),
+    [
+        ("A plant pot with a cactus.", {"cactus": 1}),
+        ("Two pots with cacti on the shelf.", {"cactus": 2}),
+        ("A fern in a pot.", {"plant": 1}),
+        ("Two plants in pots.", {"plant": 2}),
+        ("A cactus in a clay pot on the windowsill.", {"cactus": 1}),
+    ],
+)
+def test_a_plant_and_its_pot_are_one_thing(prompt: str, plants: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    asked = {r.category: r.count for r in brief.requests if r.asked and r.category != "shelving_unit"}
+    assert asked == plants
+    assert brief.unknown == ()
+    unshown = [look for r in brief.requests for look in r.unshown]
+    assert unshown == (["in a clay pot"] if "clay" in prompt else [])

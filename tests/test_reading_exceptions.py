@@ -85,3 +85,109 @@ def test_what_alone_hangs_on_the_walls_is_not_excluded() -> None:
     assert "1 picture on wall" in relations(brief)
     assert "mirror" in brief.excluded
     assert "picture" not in brief.excluded
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("Apart from a bed and a wardrobe, the room is empty.", {"bed", "wardrobe"}),
+        ("The room is empty apart from a bed.", {"bed"}),
+        ("The room is completely bare except for a chair.", {"chair"}),
+        ("A bare room with a single chair in the middle.", {"chair"}),
+        ("The only furniture is a table with four chairs.", {"dining_table", "chair"}),
+        ("The only piece of furniture in the room is a bed.", {"bed"}),
+        ("A sofa is the only furniture.", {"sofa"}),
+    ],
+)
+def test_a_room_that_is_empty_but_for_what_is_named(prompt: str, things: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert brief.empty
+    assert {r.category for r in brief.requests} == things
+    assert not any("empty" in r.states for r in brief.requests)
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("said", ["is free of objects", "is clear of clutter", "is free of any clutter"])
+def test_what_is_free_of_clutter_is_empty(said: str) -> None:
+    brief = read_brief(f"An office with a desk. The desk {said}.")
+    assert brief.request("desk").states == ("empty",)
+    assert not brief.empty
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected", "barred"),
+    [
+        ("A kitchen with everything except a dishwasher.", set(), "dishwasher"),
+        ("A room with everything but a TV: a sofa and a rug.", set(), "tv"),
+        ("The bookcase has no books, only vases.", {"3 vase inside bookcase"}, "book"),
+        ("The sofa has no cushions but a blanket.", {"1 blanket on sofa"}, "pillow"),
+        ("A table with no chairs, just two benches.", {"2 bench around dining_table"}, "chair"),
+        (
+            "The desk has no lamp, but a monitor and a keyboard.",
+            {"1 monitor on desk", "1 keyboard on desk"},
+            "any_lamp",
+        ),
+    ],
+)
+def test_what_is_not_there_and_what_is_instead(prompt: str, expected: set[str], barred: str) -> None:
+    brief = read_brief(prompt)
+    assert relations(brief) == expected
+    assert brief.excluded == (barred,)
+    assert barred not in {r.category for r in brief.requests}
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("There's no lamp on the desk, but there is one on the nightstand.", "1 desk_lamp on nightstand"),
+        ("There are no lamps on the desk, but there are two on the shelf.", "2 desk_lamp on shelving_unit"),
+        ("There is no clock on the wall but one on the desk.", "1 clock on desk"),
+        ("No chair at the desk, but one by the window.", "1 chair next_to window"),
+    ],
+)
+def test_what_is_not_here_but_there_is_there(prompt: str, expected: str) -> None:
+    brief = read_brief(prompt)
+    assert relations(brief) == {expected}
+    assert [r.subject for r in brief.relations if r.negated] == [expected.split()[1]]
+    assert brief.excluded == brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kept", "barred"),
+    [
+        ("A living room with a TV. On second thought, no TV.", {}, ("tv",)),
+        ("A bedroom with a bed and a desk. Wait, no desk.", {"bed": 1}, ("desk",)),
+        ("A room with a sofa and two armchairs. Actually, without the armchairs.", {"sofa": 1}, ("armchair",)),
+        ("A living room with a sofa, or better yet, two sofas.", {"sofa": 2}, ()),
+        ("A study with a lamp. Even better: two lamps.", {"desk_lamp": 2}, ()),
+        ("A bedroom with a double bed. No wait, a single bed.", {"bed": 1}, ()),
+        ("Two armchairs are enough.", {"armchair": 2}, ()),
+    ],
+)
+def test_second_thoughts(prompt: str, kept: dict[str, int], barred: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == kept
+    assert brief.excluded == barred
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("The sofa has three chairs. Two are red. One is blue.", {"red": 2, "blue": 1}),
+        ("Five chairs. Three are red. Two are blue.", {"red": 3, "blue": 2}),
+        ("There are three chairs. One is blue. Two are red.", {"red": 2, "blue": 1}),
+        ("Six chairs. Two are red. Two are blue. Two are green.", {"red": 2, "blue": 2, "green": 2}),
+        ("Three chairs. One is red. It stands by the door. Two are blue.", {"red": 1, "blue": 2}),
+    ],
+)
+def test_a_number_after_some_were_told_of_is_of_the_rest(prompt: str, expected: dict[str, int]) -> None:
+    assert looks(prompt, "chair") == expected
+
+
+def test_what_some_have_is_no_part_of_their_name() -> None:
+    brief = read_brief("There are four desks. One has a lamp. Two have computers. One is empty.")
+    assert relations(brief) == {"1 desk_lamp on desk", "2 computer on desk-2"}
+    assert sorted(r.count for r in brief.requests if r.category == "desk") == [1, 1, 2]
+    assert brief.unknown == ()

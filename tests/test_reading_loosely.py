@@ -187,6 +187,16 @@ def test_what_is_to_be_pictured_is_no_picture() -> None:
         ("A toolbox on the table, its lid is open.", "toolbox", ("open",)),
         ("A cupboard by the wall and its door is ajar.", "cabinet", ("ajar",)),
         ("Four chairs tucked in. A dining table.", "chair", ("pushed in",)),
+        ("The drawer of the desk is open.", "desk", ("open",)),
+        ("The doors of the wardrobe are slightly open.", "wardrobe", ("slightly open",)),
+        ("The wardrobe's doors are open.", "wardrobe", ("open",)),
+        ("A fridge with the door open.", "fridge", ("open",)),
+        ("A wardrobe with open doors.", "wardrobe", ("open",)),
+        ("Leave the drawers of the dresser open.", "dresser", ("open",)),
+        ("A bed with a neatly folded towel on it.", "towels", ("folded",)),
+        ("A blanket is neatly folded on the bed.", "blanket", ("folded",)),
+        ("A book lies face down on the bed.", "book", ("face down",)),
+        ("The blinds are half closed.", "curtain", ("half closed",)),
     ],
 )
 def test_a_state_told_of_a_part(prompt: str, category: str, states: tuple[str, ...]) -> None:
@@ -351,3 +361,43 @@ def test_what_hangs_and_cannot_is_told() -> None:
 
 def test_an_opposite_corner_is_told() -> None:
     assert read_brief("A bed in one corner and a desk in the opposite corner.").unknown == ("the opposite corner",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked", "doubt"),
+    [
+        ("The drawer of the desk is red.", "1 desk", "The drawer of the desk is red"),
+        ("A shopping cart full of groceries.", "1 shopping_cart", "groceries"),
+        ("A basket with a blanket, full of laundry.", "1 basket, 1 blanket", "laundry"),
+    ],
+)
+def test_how_a_part_looks_and_what_matter_is_in_things_is_told(prompt: str, asked: str, doubt: str) -> None:
+    brief = read_brief(prompt)
+    assert _asked(brief) == asked
+    assert brief.room_type == "room"
+    assert brief.unknown == (doubt,)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("An empty bowl and a full glass stand on the table.", "1 bowl, 1 dining_table, 1 glass"),
+        ("A mug and a glass stand on the shelf.", "1 cup, 1 glass, 1 shelving_unit"),
+        ("A guitar and a music stand in the corner.", "1 guitar, 1 music_stand"),
+    ],
+)
+def test_what_two_things_do_is_no_name(prompt: str, asked: str) -> None:
+    assert _asked(read_brief(prompt)) == asked
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A book standing upright on the shelf between two bookends.",
+        "A book stands on the shelf between two bookends.",
+    ],
+)
+def test_small_things_are_between_what_stands_there_too(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert ("book", ("bookend",)) in {(r.subject, r.anchors) for r in brief.relations if r.kind == "between"}
+    assert brief.unknown == ()

@@ -8,6 +8,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
+from thinkblox.reading.english.all_there_is import with_all_there_is
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.as_many import with_as_many
@@ -45,6 +46,7 @@ from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.likings import with_likings
 from thinkblox.reading.english.lists_for_each import with_lists_for_each
+from thinkblox.reading.english.moved_parts import with_moved_parts
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
@@ -64,6 +66,7 @@ from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
 from thinkblox.reading.english.plain_turns import with_plain_turns
+from thinkblox.reading.english.potted import with_potted
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
@@ -195,6 +198,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_rooms_having,
         with_room_sides,
         with_opening_places,
+        with_moved_parts,
         with_part_subjects,
         with_own_places,
         with_ways,
@@ -207,6 +211,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_things_between,
         with_ones_apart,
         with_wholes,
+        with_potted,
         with_goals,
         with_tasks,
         with_rough,
@@ -227,6 +232,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_stacked_pairs,
         with_noughts,
         with_nothing_else,
+        with_all_there_is,
         with_counted_rows,
         with_reasons,
         with_assortments,

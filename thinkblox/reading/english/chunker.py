@@ -10,7 +10,7 @@ from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import begins_two_walls, two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
-from thinkblox.reading.english.turns import correction_at, moved_at
+from thinkblox.reading.english.turns import TAKEN_BACK, correction_at, moved_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -207,6 +207,8 @@ class Cutter:
         skips = grammar().at(self.tokens, self.at + length, "negations")
         if skips is not None and skips.value == "exclude":
             return Connector("fillers", "words", self.at, self.at + length, text)
+        if self._is_taken_back(self.at + length):
+            return Connector("fillers", TAKEN_BACK, self.at, self.at + length, text)
         noun = self._phrases.read(self.at + length)
         if noun is None or noun.kind not in ("thing", "number") or noun.definite or not (noun.det or noun.count):
             return None
@@ -214,6 +216,13 @@ class Cutter:
         if not ends and not self._is_named_last(noun):
             return None
         return Connector("corrections", "replace", self.at, self.at + length, text)
+
+    def _is_taken_back(self, at: int) -> bool:
+        """Whether it is told anew that something is not there: "actually, no rug", "wait, without the rug"."""
+        link = grammar().at(self.tokens, at, "prepositions")
+        without = link is not None and link.value == "without"
+        noun = self._phrases.read(at + (link.length if link is not None and without else 0))
+        return noun is not None and noun.kind == "thing" and (without or noun.det == "no")
 
     def _is_named_last(self, noun: Noun) -> bool:
         """Whether the same was named last: "two washers, sorry, one washer and a dryer"."""
@@ -304,11 +313,12 @@ class Cutter:
             return doing
         if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
-        last = self.made[-1] if self.made else None
         if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
             return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
         state = grammar().at(self.tokens, self.at, "states")
-        found = isinstance(last, Connector) and last.value in ("be", "leave") and state is not None
+        said = next((c for c in reversed(self.made) if not (isinstance(c, Connector) and c.sort == "fillers")), None)
+        found = isinstance(said, Connector) and said.value in ("be", "leave") and state is not None
+        found |= link is not None and link.value == "face"  # "face down" is how a thing lies.
         if found and state is not None and (link is None or state.length >= link.length):
             link = None
         if link is not None:

@@ -33,7 +33,7 @@ class Having(Groups):
         if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
             self._features(node, noun)
             return
-        if kind == "with" and noun is not None and self._is_no_list(noun):
+        if noun is not None and self._is_no_list(noun, kind):
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -71,14 +71,26 @@ class Having(Groups):
             self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
 
+    def _is_full_of_matter(self, noun: Noun, kind: str) -> bool:
+        """Say of "a cart full of groceries" that nobody knows what these are, though shops are called so."""
+        if noun.kind != "room" or noun.det or noun.count is not None:
+            return False
+        if kind not in ("inside", "on", "hold") and not (kind == "with" and noun.plural):
+            return False
+        self._go_past(noun)
+        self._lose(noun.start, noun.end)
+        return True
+
     def _set_places(self, head: Node, told: Chunk | None) -> None:
         """Take seats that are laid for places at their table."""
         laid = isinstance(told, Connector) and told.text.lower() in _LAID
         if laid and all(self.habits.is_in(t.noun, "seats", "chairs") for t in head.things):
             self.places = head.things
 
-    def _is_no_list(self, noun: Noun) -> bool:
+    def _is_no_list(self, noun: Noun, kind: str) -> bool:
         """Take what something has that is no thing: light, or the window of "the wall with the window"."""
+        if kind != "with" or noun.kind == "room":
+            return self._is_full_of_matter(noun, kind)
         if noun.kind == "abstract":
             self._hold_matter(noun)
             return True

@@ -34,7 +34,7 @@ _ADJECTIVAL = (
     "colored",
 )
 """Endings of words that describe a thing rather than say of which kind it is."""
-_ARTICLES = ("a", "an")
+ARTICLES = ("a", "an")
 """Articles with which a name of the catalogue may begin: "a single bed", which is no single "bed"."""
 
 
@@ -84,7 +84,7 @@ class Heads(Modifiers):
         looks = (*noun.attributes, *noun.unshown, *noun.states, *noun.styles)
         told = {word for look in looks for word in look.replace("-", " ").split()}
         words = [word for unit in units.nouns for word in unit.text.lower().split()]
-        words = words[1:] if len(words) > 1 and words[0] in _ARTICLES else words
+        words = words[1:] if len(words) > 1 and words[0] in ARTICLES else words
         head = words.index("of") - 1 if "of" in words[1:] else len(words) - 1
         words[head] = singular(words[head]) if noun.plural else words[head]
         return " ".join(word for at, word in enumerate(words) if at >= head or not told.issuperset(word.split("-")))

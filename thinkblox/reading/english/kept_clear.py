@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.nothing_else import ANYTHING
 from thinkblox.reading.english.said import is_link
 
 _EMPTY = "empty"
@@ -14,12 +15,16 @@ _MOST = 2
 """Most chunks before "nothing" in "a desk with nothing on it", "there is nothing on the desk"."""
 _LEAVING = ("leave", "keep", "leaving", "keeping")
 
+_FREE_OF = ("free of", "clear of", "devoid of")
+_CLUTTER = ANYTHING | {"clutter", "mess"}
+"""What does not lie about where it is empty."""
+
 _REST = frozenset(("rest", "remaining"))
 
 
 def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a thing that is left or is clear is said to be empty, and of its parts that is not understood."""
-    made = list(chunks)
+    made = _uncluttered(chunks)
     at = 0
     while at < len(made):
         if length := _nothing_on(made, at):
@@ -40,6 +45,21 @@ def with_kept_clear(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif _is_told(made, at) and isinstance(noun := made[at], Noun):
             made[at : at + 3] = _said(noun, noun, made[at + 2])
         at += 1
+    return made
+
+
+def _uncluttered(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, with "empty" for what says of a thing that nothing lies about there: "free of clutter"."""
+    made: list[Chunk] = []
+    for chunk in chunks:
+        made.append(chunk)
+        thing, link, clutter = [*(None, None, None), *made][-3:]
+        said = thing if not is_link(thing, "verbs", "be") else made[-4] if len(made) > _MOST + 1 else None
+        free = isinstance(link, Connector) and link.value in ("without", "far") and link.text.lower() in _FREE_OF
+        cluttered = isinstance(clutter, Noun) and not _CLUTTER.isdisjoint(clutter.text.lower().split())
+        if free and cluttered and isinstance(said, Noun) and (said.kind == "thing" or _is_shelf(said)):
+            assert link is not None
+            made[-2:] = [Adjective(link.start, chunk.end, _EMPTY, states=[_EMPTY])]
     return made
 
 

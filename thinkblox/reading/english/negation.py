@@ -8,6 +8,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
 from thinkblox.reading.english.said import is_spatial
+from thinkblox.reading.english.turns import TAKEN_BACK
 
 _TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry", "have", "share")
 """Verbs that tell something of what is there."""
@@ -377,6 +378,9 @@ class Negation(Positions):
     def _is_cancelled(self, noun: Noun) -> bool:
         """Whether what was named is taken back: "forget the drape"."""
         said = self._before()
+        first = self._before(2) if self._is_link(said, "prepositions", "without") else said
+        if self._is_link(first, "fillers", TAKEN_BACK):
+            return not self._is_link(self.peek(), "prepositions")
         cancels = isinstance(said, Connector) and said.text.lower() in grammar().lists["cancelling"]
         return cancels and noun.det in ("the", "my") and not self._is_link(self.peek(), "prepositions")
 
@@ -388,7 +392,8 @@ class Negation(Positions):
             self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
             return
         self._spend(noun)
-        known = self.referents.named(noun) if self._is_cancelled(noun) else None
+        pointed = replace(noun, det="the") if noun.det == "no" else noun
+        known = self.referents.named(pointed) if self._is_cancelled(noun) else None
         if known is not None:
             for thing in self.referents.clan(known):
                 self.draft.drop(thing)

@@ -6,10 +6,10 @@ from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
 
 _OTHER = frozenset({"other", "further", "more", "additional", "extra"})
-_ANYTHING = frozenset(
+ANYTHING = frozenset(
     {"furniture", "furnishings", "furnishing", "piece", "pieces", "item", "items", "object", "objects"}
 )
-_ANYTHING |= {"thing", "things", "stuff"}
+ANYTHING |= {"thing", "things", "stuff"}
 _IDLE = frozenset({"no", "not", "a", "an", "any", "single", "one"})
 _ALL = frozenset({"furniture", "furnishings"})
 """What a room that has none of it does not hold, whether others are spoken of or not."""
@@ -41,8 +41,8 @@ def _length(chunks: Sequence[Chunk], *, denied: bool) -> int:
         return 0
     words = set(noun.text.lower().split())
     whole = chunks[2] if len(chunks) > 2 and is_link(chunks[1], "prepositions", "of") else None
-    length = 3 if isinstance(whole, Noun) and whole.text.lower() in _ANYTHING else 1
+    length = 3 if isinstance(whole, Noun) and whole.text.lower() in ANYTHING else 1
     named = words | ({whole.text.lower()} if length > 1 and isinstance(whole, Noun) else set())
-    if not words <= _OTHER | _ANYTHING | _IDLE or named.isdisjoint(_ANYTHING):
+    if not words <= _OTHER | ANYTHING | _IDLE or named.isdisjoint(ANYTHING):
         return 0
     return length if not named.isdisjoint(_OTHER) or not named.isdisjoint(_ALL) else 0

@@ -411,6 +411,8 @@ class Numbers(Verbs):
         same = whole.count is not None and count * times == whole.count and whole is not self.summed
         if same and whole is not self.referents.parted:
             self._resume([whole], noun or Noun("number", "", -1, -1))
+            if noun is not None:
+                self._look(whole, noun)
             self.counted.add(whole)
             return
         self.referents.settle(whole)

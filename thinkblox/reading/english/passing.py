@@ -6,14 +6,13 @@ from dataclasses import replace
 from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.moved_parts import MOVED
 from thinkblox.reading.english.said import is_link
 from thinkblox.reading.tokens import Token
 
 _OWNING = {"owns": "has", "own": "have", "collects": "has", "collect": "have", "possesses": "has"}
 _OWNERS = ("who", "that", "i", "we", "they", "you", "she", "he")
 _TUCKED = "pushed in"
-_MOVED = ("door", "lid", "drawer", "flap", "hatch")
-"""Parts that are open or closed as what they are of is said to be."""
 _USING = ("use", "using", "choose", "take", "pick")
 _BLOCKING = ("block", "obstruct", "blocking", "obstructing")
 _FOR = 3
@@ -116,7 +115,7 @@ def _without_past(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _is_own_door(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "its door is open" comes after a thing that has doors of its own."""
     door, state = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
-    own = isinstance(door, Noun) and door.kind in ("place", "thing") and door.det == "my" and door.word in _MOVED
+    own = isinstance(door, Noun) and door.kind in ("place", "thing") and door.det == "my" and door.word in MOVED
     told = own and is_link(chunks[at + 1], "verbs", "be") if state is not None else False
     if not told or not isinstance(state, Adjective) or not state.states:
         return False

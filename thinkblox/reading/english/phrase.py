@@ -6,7 +6,7 @@ from thinkblox.knowledge.vocabulary import is_person
 from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
-from thinkblox.reading.english.heads import Heads, is_purpose
+from thinkblox.reading.english.heads import ARTICLES, Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
@@ -28,6 +28,8 @@ _BUILT = ("floor", "wall", "ceiling", "window", "door")
 _SIZES = ("large", "small")
 """Attributes by words that name things as well: "a grand hotel", "a grand"."""
 
+_FINITE = frozenset("has have had is are was were hold holds carry carries contain contains".split())
+"""Verbs that tell of so many what they are or have, and are no part of a name: "two have lamps"."""
 _AT_SIDE = ("on", "to", "at", "in")
 """Before a side at which so many stand: "on the left three beds"."""
 
@@ -149,6 +151,8 @@ class PhraseReader(Heads):
         noun.end = end
         self._head(noun, units)
         noun.called = f"{noun.called} {self._called(noun, units)}".strip()
+        if not noun.det and noun.count is None and self.tokens[noun.start].text in ARTICLES:
+            noun.det = "a"
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
@@ -549,6 +553,7 @@ class PhraseReader(Heads):
         before = self.tokens[at - 1].text
         ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
         ends |= noun.of_known and before in ("them", "which", "whom")
+        ends |= noun.count is not None and not noun.det and self.tokens[at].text in _FINITE
         return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
@@ -648,7 +653,7 @@ class PhraseReader(Heads):
             self._idle(noun, at, at + filler.length)
             if can and self.tokens[at].text == "own":
                 noun.det = "a"
-            return filler.length if can and self._starts_noun(at + filler.length) else 0
+            return filler.length if can and self._starts_noun(self._past_state(at + filler.length)) else 0
         if (noun.det, self.tokens[at].text) == ("each", "half"):
             units.nouns.append(Unit("half"))
             return 1
@@ -658,6 +663,11 @@ class PhraseReader(Heads):
         if noun.det == "each" and doing.value in ("hold", "carry", "surround", "flank", "line"):
             return 0
         return 1 if counted and not units.nouns and self._starts_noun(at + 1) else 0
+
+    def _past_state(self, at: int) -> int:
+        """Where it goes on after "folded" of "a neatly folded towel"."""
+        state = grammar().at(self.tokens, at, "states")
+        return at + state.length if state is not None else at
 
     def _ends_before(self, at: int, units: Units) -> bool:
         """Whether the name that was read ends before an unknown word."""

@@ -181,7 +181,7 @@ class Pronouns(Numbers):
             self._lose(noun.start, noun.end)
 
     def _left_of(self, noun: Noun) -> Mention | None:
-        return self._left_over() if noun.value == "other" else None
+        return self._left_over() if noun.value == "other" else self._left_for(noun)
 
     def _is_somebodys(self, noun: Noun) -> bool:
         """Read "two armchairs, hers and his", and "my desk is here, his is there": one more of the same."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
@@ -14,6 +15,10 @@ _AT = ("at", "on", "for")
 _SEATS = {"places": "place", "seats": "seat", "settings": "setting"}
 _PARTED = (["low", "hanging"], ["high", "hanging"])
 """Words that are read as two, also where a hyphen joins them."""
+_NO_PLACE = ("of", "for", "with", "without", "as", "per", "to", "from")
+"""Prepositions that say nothing of where things are."""
+_SHORTEST, _LONGEST = 3, 6
+"""So many words before "stand" at least, and at most back to the "and" before its last subject."""
 _OF_ROOM = ["of", "the", "room"]
 
 
@@ -37,7 +42,7 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "per"
         elif word == "all" and before in _AT and after[:1] and after[0] in _SEATS:
             read[at : at + 2] = ["every", _SEATS[after[0]]]
-        elif word == "stand" and before == "each" and grammar().at(tokens, at + 1, "count") is not None:
+        elif word == "stand" and (_is_verb_of_each(tokens, at) or _is_verb_of_two(tokens, at)):
             read[at] = "stands"
         elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
             read[at] = "daylight"
@@ -46,6 +51,26 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
         for token, new, apart in zip(tokens, read, parted, strict=True)
     ]
+
+
+def _is_verb_of_each(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "stand" tells what is there: "on each stand two lamps"."""
+    return at > 0 and tokens[at - 1].text == "each" and grammar().at(tokens, at + 1, "count") is not None
+
+
+def _is_verb_of_two(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "stand" tells where two are: "a bowl and a glass stand on the table", but not "and a music stand in"."""
+    link = grammar().at(tokens, at + 1, "prepositions") if at + 1 < len(tokens) else None
+    if at < _SHORTEST or link is None or link.value in _NO_PLACE:
+        return False
+    thing = tokens[at - 1].text
+    if thing_called(f"{thing} stand", 2) is not None or thing_called(thing, 1) is None:
+        return False
+    start = next((n for n in range(at - 1, -1, -1) if tokens[n].text in ".;!?"), -1) + 1
+    joint = next((n for n in range(at - 2, max(start, at - _LONGEST), -1) if tokens[n].text == "and"), 0)
+    before = tokens[start:joint]
+    counted = joint and grammar().at(tokens, joint + 1, "determiners", "count") is not None
+    return bool(counted and before) and not any(t.text == "with" or grammar().knows(t.text, "verbs") for t in before)
 
 
 def _ends(after: Sequence[Token]) -> bool:

@@ -34,6 +34,8 @@ COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
 
+_UNFURNISHED = ("empty", "bare")
+"""What is said of a room in which nothing is but what is named."""
 _OTHER_SIZE = {"large": "small", "small": "large"}
 """What a room is that is not so."""
 _WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat", "living_room", "dining_room")
@@ -68,7 +70,7 @@ class Rooms(Memberships):
         self.draft.room_attributes += [a for a in looks if not people((a,))]
         owners = grammar().people(word.strip("'\u2019") for word in noun.text.lower().split())
         self.draft.people = self.draft.people or people(noun.attributes) or owners
-        self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
+        self.draft.empty |= "empty" in noun.attributes or any(s in _UNFURNISHED for s in noun.states)
         if noun.size:
             self.draft.sizes.append(noun.size)
         if (place := self._place_of_label(noun)) is not None and not self.draft.things:

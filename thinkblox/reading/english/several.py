@@ -81,10 +81,23 @@ class Several(Boundaries):
         """What a number parts; "the one by the door" is of those of which another was called so before."""
         if (noun.det == "other" or noun.ordinal > 1) and (rest := self._left_over()) is not None:
             return rest
+        if (rest := self._left_for(noun)) is not None and rest not in besides:
+            return rest
         left = self.singled if noun.text.lower() == "the one" else None
         kept = left is not None and left in self.draft.things and left not in besides and not self.referents.parted
         counted = self._counted_before(noun, besides) if not kept else None
         return counted or (left if kept else self._whole(besides))
+
+    def _left_for(self, noun: Noun) -> Mention | None:
+        """What a number parts right after some of several were told of: "three cushions. Two are red. One is blue"."""
+        plain = not (noun.of_known or noun.det or noun.ordinal or noun.side or noun.degree)
+        plain &= noun.text.lower() == "one" if noun.kind == "pronoun" else noun.kind == "number"
+        told = self._is_link(self.peek(), "verbs") or bool(noun.attributes or noun.unshown or noun.states)
+        rest = self._left_over() if plain and told else None
+        if rest is None or not self.referents.topics or (noun.count or 1) > (rest.count or 1):
+            return None
+        before = self.referents.topics[-1]
+        return rest if before is not rest and before in self.referents.family(rest) else None
 
     def _of_owners(self, noun: Noun) -> Mention | None:
         """The benches of "each bench has two stools and a burner, and half of them carry a microscope"."""

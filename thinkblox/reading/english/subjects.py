@@ -22,6 +22,8 @@ _ROOM_PARTS = ("front", "back", "end")
 """Parts that rooms have too."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
+_PLATE = 0.3
+"""So large at most is what holds a meal, and no drink besides [m]."""
 _THIN = 0.4
 """So much at most of its longest side is the shortest of what can lean against something."""
 _BONDS = 20
@@ -82,7 +84,7 @@ class Subjects(Having):
             return self._past_anchor(nodes, where)
         head = inner.frame.head
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
-            holds = self._contains(head.things[-1])
+            holds = self._contains(head.things[-1]) or self._is_served_there(inner.things[-1], inner.frame)
             return self._joined(head, where) if holds else Node([*head.things, *inner.things], head.frame)
         floor = where.word == "on" and where.noun is not None and where.noun.value == "floor"
         if head is not None and head.things and not floor and self._is_of_head(inner, inner.frame, head, where):
@@ -304,6 +306,13 @@ class Subjects(Having):
         )
         return any(a in heads for bond in held for a in bond.anchors)
 
+    def _is_served_there(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it lies on what has it, as cups on a tray; the glass of "a plate with a roll and a glass" not."""
+        head, first = frame.head, frame.members[0]
+        plate = head is not None and max(kind_of(head.things[-1].noun).size) <= _PLATE
+        drink = plate and first is not thing and _is_cup(thing) and not _is_cup(first)
+        return self._is_held(thing, frame) and not drink
+
     def _is_listed(self, noun: Noun, frame: Listed) -> bool:
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
         return any(found in frame.members for found in self.referents.every(noun))
@@ -405,6 +414,8 @@ class Subjects(Having):
             b.kind in ("on", "inside") and inner.things[-1] in b.anchors
             for b in self.draft.bonds_of(subject.things[-1])
         )
+        if carries and self._is_between_small(where, inner):
+            return subject
         apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
         known = inner.known and not (carries or is_small(subject.things[-1]) or self._is_first_named(inner, where))
         if inner.told or where.negated or apart or known:
@@ -430,6 +441,13 @@ class Subjects(Having):
             beside = where.word in _BY_OWNER or where.noun.value in SIDES
             return subject if aside and (inner.known or not beside) else inner
         return inner
+
+    def _is_between_small(self, where: Where, carrier: Node) -> bool:
+        """Whether what lies on something is between small things there: "a book on the shelf between two bookends"."""
+        noun = where.noun
+        small = where.word == "between" and noun is not None and noun.kind == "thing"
+        small = small and noun is not None and self._belongs(noun.value, "small")
+        return small and not is_small(carrier.things[-1])
 
     def _joined(self, node: Node, where: Where) -> Node:
         """A list that shares what is said of its last member: "a vase and two candles on the table"."""
@@ -709,6 +727,11 @@ def is_raised(noun: str, attributes: Sequence[str]) -> bool:
 def _is_filled(thing: Mention, bond: Bond) -> bool:
     """Whether it only says what a small thing holds, which itself may be anywhere."""
     return is_small(thing) and bond.kind in ("inside", "on")
+
+
+def _is_cup(thing: Mention) -> bool:
+    """Whether one drinks from it, or it is a drink in what one drinks from: "a glass of milk"."""
+    return not grammar().lists["cups"].isdisjoint((last_word(thing), thing.noun, thing.noun.partition("_of_")[0]))
 
 
 def _is_thin(thing: Mention) -> bool:

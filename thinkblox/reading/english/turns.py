@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
+TAKEN_BACK = "taken_back"
+"""What stands before what is not to be there after all: "on second thought, no rug"."""
 _LONGEST_TURN = 40
 """Most tokens of a turn that goes on to the end of a clause."""
 _PLACING = ("let", "put", "place", "move", "have", "make", "set", "hang", "turn")
