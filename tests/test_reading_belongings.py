@@ -217,6 +217,9 @@ def test_one_seats_so_many_is_a_verb() -> None:
         ("A sofa flanked by two side tables with lamps on them.", 2),
         ("A sofa flanked by two side tables with a lamp on top.", 2),
         ("A bed flanked by two nightstands with a lamp on the left one.", 1),
+        ("A bed with a nightstand on the left and a nightstand on the right, each with a lamp on it.", 2),
+        ("A bed with a nightstand to its left and another to its right, each with a lamp on it.", 2),
+        ("A nightstand on the left and a nightstand on the right of the bed, each with a lamp on it.", 2),
     ],
 )
 def test_what_flanks_has_its_own_on_both_sides(prompt: str, lamps: int) -> None:
@@ -280,3 +283,26 @@ def test_a_plant_and_its_pot_are_one_thing(prompt: str, plants: dict[str, int]) 
     assert brief.unknown == ()
     unshown = [look for r in brief.requests for look in r.unshown]
     assert unshown == (["in a clay pot"] if "clay" in prompt else [])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "A chair on the left and a plant on the right of the desk.",
+            {"1 chair left_of desk", "1 plant right_of desk"},
+        ),
+        (
+            "A statue in the corner with a plant and a bench next to it.",
+            {"1 plant next_to statue", "1 bench next_to statue"},
+        ),
+    ],
+)
+def test_sides_and_places_told_last_are_of_both(prompt: str, relations: set[str]) -> None:
+    assert relations <= related(read_brief(prompt))
+    assert not read_brief(prompt).unknown
+
+
+def test_triplets_with_three_beds_have_three() -> None:
+    brief = read_brief("We have triplets, so their bedroom needs three small beds, each with a pillow.")
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"bed": 3, "pillow": 3}

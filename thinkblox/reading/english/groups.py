@@ -152,7 +152,11 @@ class Groups(Descriptions):
         ends = isinstance(following, Connector) and following.sort in ("mark", "joins")
         if following is None or ends or self._is_each_of_list(following):
             self._trailing_each()
-            return
+        else:
+            self._each_of(nodes)
+
+    def _each_of(self, nodes: list[Node]) -> None:
+        """Let what follows be of each of several, of the parts of some, or of what was joined last."""
         if nodes:
             del self.frontier[self.frontier.index(nodes[0]) + 1 :]
             self.each = True
@@ -160,6 +164,19 @@ class Groups(Descriptions):
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.clause.members += [part for part in parts if part not in self.clause.members]
             self.each, self.separator = True, ""
+        elif alike := self._alike_of_list():
+            self.frontier[-1] = Node(alike, self.frontier[-1].frame, each=True)
+            self.each, self.separator = True, ""
+
+    def _alike_of_list(self) -> list[Mention]:
+        """Two of a kind that a thing has: "a bed with a lamp on the left and a lamp on the right, each with a shade"."""
+        thing = self.frontier[-1].thing if self.frontier and self.separator == "comma" else None
+        by = {a for bond in self.draft.bonds_of(thing) for a in bond.anchors} if thing is not None else set()
+        if thing is None or thing.many or not by:
+            return []
+        kin = [t for t in self.draft.things if t.noun == thing.noun and not t.many and t not in by]
+        alike = [t for t in kin if any(not by.isdisjoint(bond.anchors) for bond in self.draft.bonds_of(t))]
+        return alike if len(alike) > 1 else []
 
     def _past_parting(self, nodes: list[Node]) -> list[Node]:
         """What is parted rather than what parts it: the beds of "three beds, separated by curtains, each with"."""

@@ -119,6 +119,8 @@ class Memberships(Ties):
             return
         thing.owner = thing.owner or head
         thing.host = head
+        if frame.each and len(frame.head.things) > 1:
+            self.referents.together[head] = tuple(frame.head.things)
         tie = self._tie(thing, frame, first=first)
         if tie is None and (frame.each or frame.grouped or frame.kind != "with"):
             tie = "next_to"

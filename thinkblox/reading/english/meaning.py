@@ -206,6 +206,9 @@ class Meanings:
         of_many = said.value == "all" and len(self.referents.standing(subjects)) > 1
         if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything" or of_many:
             return None
+        own = self.referents.together.get(subjects[-1].host) if said.value == "it" and subjects else None
+        if own and kind not in ("between", "around"):
+            return Meaning(kind, own, each=True, told=True)
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
                 return Meaning(kind, self._several(kind, subjects, noun), told=True)

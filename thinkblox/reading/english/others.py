@@ -13,7 +13,7 @@ _ONE, _OTHER = ("one", "the one"), ("another", "another one", "the other", "the 
 
 def with_others(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "one on the right" and "the right one" name what was told to be on the left."""
-    made = _sided(chunks)
+    made = _with_wholes_told_last(_sided(chunks))
     thing: Noun | None = None
     whole: Noun | None = None
     told: set[str] = set()
@@ -58,6 +58,38 @@ def _sided(chunks: Sequence[Chunk]) -> list[Chunk]:
         made[at : at + 3] = [sided]
         _put_verb(made, at, at + 1)
     return made
+
+
+def _with_wholes_told_last(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "on the left of the bed" for "a lamp on the left and a plant on the right of the bed"."""
+    made = list(chunks)
+    for at in range(len(made) - _NEAR, 0, -1):
+        part, link, named = made[at : at + 3]
+        if (
+            not _is_side(part)
+            or not isinstance(part, Noun)
+            or part.det != "the"
+            or not _is(made[at - 1], "prepositions")
+        ):
+            continue
+        other = next((c for c in made[at + 1 : at + _NEAR] if isinstance(c, Noun) and _is_side(c)), None)
+        told = isinstance(named, Noun) and named.kind in ("thing", "number", "pronoun")
+        if other is None or other.value == part.value or not told or not (_is(link, "joins") or _is_comma(link)):
+            continue
+        place = next(n for n, chunk in enumerate(made) if chunk is other)
+        whole = _whole_of(made[place : place + 3], other)
+        if whole is not None and whole.kind == "thing":
+            again = replace(whole, start=part.end, end=part.end, det="the")
+            made[at + 1 : at + 1] = [Connector("prepositions", "of", part.end, part.end, "of"), again]
+    return made
+
+
+def _is_side(part: Chunk) -> bool:
+    return isinstance(part, Noun) and part.kind == "part" and part.value in _SIDES
+
+
+def _is_comma(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort == "mark" and chunk.value == "comma"
 
 
 def _whole_of(chunks: Sequence[Chunk], part: Noun) -> Noun | None:

@@ -64,6 +64,7 @@ class Referents:
         self.shared: set[Mention] = set()
         self.centre: Mention | None = None
         self.flanking: set[Mention] = set()
+        self.together: dict[Mention | None, tuple[Mention, ...]] = {}
         self._whole_of: dict[Mention, Mention] = {}
 
     def speak(self, thing: Mention) -> None:

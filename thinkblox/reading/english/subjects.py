@@ -572,8 +572,11 @@ class Subjects(Having):
 
     def _untied_before(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
         """What else the head has, where only the last tells how: the cues of "a table with cues and a ball on it"."""
-        if frame.head is None or not self._is_pronominal(where) or where.word in _BY_OWNER:
+        if frame.head is None or not self._is_pronominal(where):
             return []
+        if where.word in _BY_OWNER:
+            untied = [thing for thing, head in self.untied if head in frame.head.things and _stands(thing)]
+            return untied if untied == frame.members[:-1] and all(map(self._is_free, untied)) else []
         if frame.each:
             return [m for m in frame.members if m not in node.things and self._is_merely_beside(m, frame.head, node)]
         untied = [thing for thing, head in self.untied if head in frame.head.things]
@@ -750,3 +753,7 @@ def _hangs(noun: str) -> bool:
     """Whether a thing hangs where it is said to be on a wall, by itself or as what its name means there."""
     there = (sense.category for sense in senses_of(noun) if any("_wall" in said for said in sense.conditions))
     return any(kind_of(category).mount == "wall" for category in (noun, *there))
+
+
+def _stands(thing: Mention) -> bool:
+    return kind_of(thing.noun).mount == "floor"

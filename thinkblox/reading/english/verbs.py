@@ -157,6 +157,10 @@ class Verbs(Prepositions):
             self._go_past(noun)
 
     def _have(self, kind: str) -> None:
+        had = self._next_noun()
+        if self.subject is None and self.crowd and had is not None and had.count == self.crowd > 1:
+            self.crowd = 0  # Three children with three beds have one each.
+            return
         if self.subject is None and self.crowd:
             self.pending = self.clause = Listed(None, "list", times=self.crowd, each=True)
             self.crowd = 0
