@@ -13,7 +13,7 @@ from shapely import LineString, Point, Polygon
 
 from thinkblox.evaluation.bodies import Body, distance, share_within
 from thinkblox.evaluation.relation_words import ObjectRule
-from thinkblox.evaluation.resting import is_in, is_over, lies_on
+from thinkblox.evaluation.resting import is_in, is_over, lies_on_or_board
 from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.vocabulary import load_vocabulary
 from thinkblox.evaluation.walls import Enclosure
@@ -118,11 +118,16 @@ def _angle(a: tuple[float, float], b: tuple[float, float]) -> float:
 
 
 def _side(name: str) -> Rule:
-    """A rule for one side of the anchor: most of the subject lies in what opens like a fan from that side."""
+    """A rule for one side of the anchor: most of the subject lies in what opens like a fan from that side.
+
+    Behind a desk is also who sits at it, whose side is the desk's front.
+    """
 
     def rule(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
         own = anchor.to_own(subject.footprint)
         shares = {side: share_within(own, _fan(anchor, side)) for side in _SIDES}
+        if name == "back" and anchor.asset.gaze == "back" and _deviation(subject, anchor) <= FACING:
+            shares["back"] = max(shares["front"], shares["back"])
         best = max(shares, key=lambda side: shares[side])
         where = f"most of it {_SIDES[best]}" if shares[best] > MAJORITY else "on no side within 2.5 m"
         return Ruling(shares[name] > MAJORITY, f"{shares[name]:.0%} of it {_SIDES[name]}, {where}".replace("%", " %"))
@@ -162,7 +167,7 @@ def _long_or_short(long: bool) -> Rule:
 
 
 def _on_top(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
-    return lies_on(subject, anchor)
+    return lies_on_or_board(subject, anchor, load_vocabulary())
 
 
 def _inside_of(anchor: Body, subject: Body, room: Enclosure) -> Ruling:

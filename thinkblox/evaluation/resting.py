@@ -32,6 +32,13 @@ def carries(carrier: Body, load: Body) -> bool:
     )
 
 
+def lies_on_or_board(load: Body, carrier: Body, vocabulary: Vocabulary) -> Ruling:
+    """Whether something lies on top of something else or, of a shelf or rack, on any of its boards."""
+    found = lies_on(load, carrier)
+    boards = not found.holds and _is_shelf(carrier, vocabulary) and shared(load.footprint, carrier.footprint) > MAJORITY
+    return Ruling(True, "on a board of it") if boards and carries(carrier, load) else found
+
+
 def lies_on(load: Body, carrier: Body) -> Ruling:
     """Whether something lies on top of something else, and not in a compartment of it."""
     over = shared(load.footprint, carrier.footprint)

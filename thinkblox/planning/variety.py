@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Brief, Relation, RelationKind, Request
 from thinkblox.fills import Fill
@@ -254,7 +255,7 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str], unlike
     first = option[0].category
     if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
-    asked = [request.category for request in brief.requests if request.asked]
+    asked = [name for request in brief.requests if request.asked for name in (request.category, _called(request))]
     wanted: list[Usual] = []
     for usual in option:
         drawn_up = any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
@@ -279,6 +280,12 @@ def _count(brief: Brief, key: str) -> int:
 def _stands_in_line(request: Request) -> bool:
     """Whether it is several beds, which stand side by side: what is beside them is between any two."""
     return request.count > 1 and load_habits().is_in(request.category, "in_line", "beds")
+
+
+def _called(request: Request) -> str:
+    """What it is called in one word: who counts tables counts low ones, too."""
+    words = request.phrase.lower().split()
+    return singular(words[-1]) if words else ""
 
 
 def _is_named(category: str, name: str) -> bool:

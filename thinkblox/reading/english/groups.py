@@ -169,7 +169,7 @@ class Groups(Descriptions):
             self.each, self.separator = True, ""
 
     def _alike_of_list(self) -> list[Mention]:
-        """Two of a kind that a thing has: "a bed with a lamp on the left and a lamp on the right, each with a shade"."""
+        """Two of a kind by one thing: "a bed with a lamp on the left and a lamp on the right, each with a shade"."""
         thing = self.frontier[-1].thing if self.frontier and self.separator == "comma" else None
         by = {a for bond in self.draft.bonds_of(thing) for a in bond.anchors} if thing is not None else set()
         if thing is None or thing.many or not by:
