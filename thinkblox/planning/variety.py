@@ -283,9 +283,10 @@ def _stands_in_line(request: Request) -> bool:
 
 
 def _called(request: Request) -> str:
-    """What it is called in one word: who counts tables counts low ones, too."""
+    """What it is called in one word, though it is made as one of several kinds: who counts tables counts low ones."""
     words = request.phrase.lower().split()
-    return singular(words[-1]) if words else ""
+    named = " ".join([*words[:-1], *map(singular, words[-1:])])
+    return "" if not words or request.category.replace("_", " ") in named else singular(words[-1])
 
 
 def _is_named(category: str, name: str) -> bool:
