@@ -51,3 +51,15 @@ def test_sink_of_what_has_one_is_no_other(prompt: str, carrier: str) -> None:
     brief = read_brief(prompt)
     assert [request.category for request in brief.requests if request.asked] == [carrier, "mirror"]
     assert ("mirror", "above", (carrier,)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+
+
+def test_what_a_comma_with_tells_is_in_the_subject() -> None:
+    text = "A shelf against the wall holds six books. A toy basket is to the left of the shelf, with four balls in it."
+    brief = read_brief(text)
+    assert ("inside", "ball", ("toy_box",)) in {(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked}
+    assert not brief.unknown
+
+
+def test_a_garage_for_two_cars_has_those_that_are_named() -> None:
+    cars = [r.count for r in read_brief("A two-car garage with a car and a bench.").requests if r.category == "car"]
+    assert cars == [1]

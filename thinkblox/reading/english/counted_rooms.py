@@ -26,7 +26,9 @@ def with_furniture(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif isinstance(chunk, Noun) and (counted := next(_counted(chunk), None)) is not None:
             said, thing = counted
             chunk.unshown.remove(said)
-            named = (c.value for c in chunks[at + 1 :] if isinstance(c, Noun) and c.kind == "thing")
+            named = [c.value for c in chunks[at + 1 :] if isinstance(c, Noun) and c.kind == "thing"]
+            if thing.called in grammar().lists["parked"] and thing.value in named:
+                continue  # A two-car garage has room for two, and as many as are named.
             if any(stand_in(name).like == thing.value != name for name in named):
                 continue
             if at + 1 < len(chunks) and is_link(chunks[at + 1], "prepositions", "with"):

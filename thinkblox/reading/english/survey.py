@@ -156,9 +156,9 @@ class _Surveyor:
         """Tell what the list that begins is of: what was named last, or what the sentence says is by a known thing."""
         self._role, self._told, self.seen.having = "member", False, link.start
         known = self._anchored and self._last is not None and self._last.definite
-        owners = [self._head, self._last] if link.sort == "verbs" or known else [self._last, self._head]
-        if link.value == "with" and is_link(self._before, "mark", "comma"):
-            owners.reverse()
+        apart = link.value == "with" and is_link(self._before, "mark", "comma")
+        outer = link.sort == "verbs" or known or apart
+        owners = [self._head, self._last] if outer else [self._last, self._head]
         if self._head is not None and self._head.start in self.seen.loose and is_link(self._before, "mark", "comma"):
             owners = []
         if self._each is not None:
