@@ -143,3 +143,31 @@ def test_an_office_under_the_stairs_has_no_stairs() -> None:
     assert (brief.room_type, brief.width, brief.depth) == ("office", 1.4, 2.2)
     assert [r.category for r in brief.requests if r.asked] == ["desk"]
     assert brief.unknown == ("under the stairs",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "excluded"),
+    [
+        ("A rocking chair, yes; a changing table, no.", {"rocking_chair": 1}, ("changing_table",)),
+        ("A bed, yes; a desk, no; a chair, yes.", {"bed": 1, "chair": 1}, ("desk",)),
+        ("A bed. No rug, because of my allergy.", {"bed": 1}, ("rug",)),
+        ("Laundry pick-up test in a bedroom. A bed by the wall.", {"bed": 1}, ()),
+        ("The kitchen begins with the stove.", {"stove": 1}, ()),
+    ],
+)
+def test_yes_and_no_and_reasons(prompt: str, things: dict[str, int], excluded: tuple[str, ...]) -> None:
+    assert told(prompt)[0] == things
+    assert read_brief(prompt).excluded == excluded
+
+
+@pytest.mark.parametrize("said", ["but don't put it", "but do not place it", "and never put it"])
+def test_what_is_ordered_not_to_be_is_denied(said: str) -> None:
+    brief = read_brief(f"A fireplace. There is one floor lamp, {said} next to the fireplace.")
+    near = [r for r in brief.relations if r.subject == "floor_lamp" and r.asked]
+    assert [(r.kind, r.anchors, r.negated) for r in near] == [("next_to", ("fireplace",), True)]
+
+
+def test_a_projector_screen_is_no_monitor() -> None:
+    brief = read_brief("Two desks, each with a monitor. A lectern stands next to the projector screen.")
+    assert {"monitor", "projector_screen"} <= {r.category for r in brief.requests if r.asked}
+    assert ("podium", ("projector_screen",)) in {(r.subject, r.anchors) for r in brief.relations if r.asked}

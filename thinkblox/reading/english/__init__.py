@@ -55,6 +55,7 @@ from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.opening_places import with_opening_places
 from thinkblox.reading.english.openings_meant import with_openings_meant
+from thinkblox.reading.english.orders_not import with_orders_not
 from thinkblox.reading.english.others import with_others
 from thinkblox.reading.english.outside import with_outside
 from thinkblox.reading.english.own_places import with_own_places
@@ -181,6 +182,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_broken_off,
         with_short_names,
         with_totals,
+        with_orders_not,
         with_likings,
         with_lists_for_each,
         with_outside,

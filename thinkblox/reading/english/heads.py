@@ -43,8 +43,7 @@ class Heads(Modifiers):
 
     def _head(self, noun: Noun, units: Units) -> None:
         nouns = units.nouns
-        while len(nouns) > 1 and nouns[-1].owner and not _is_room(nouns[-1]):
-            nouns.pop()
+        self._leave_out(noun, nouns)
         for unit in nouns[:-1]:
             if unit.owner and unit.known is not None and unit.known.entry.sort == "object":
                 noun.owner = unit.known.entry.value
@@ -78,6 +77,21 @@ class Heads(Modifiers):
         noun.kind, noun.named = "thing", False
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
+
+    def _leave_out(self, noun: Noun, nouns: list[Unit]) -> None:
+        """Take off what is no part of the name: whose it is, and what several things do."""
+        while len(nouns) > 1 and nouns[-1].owner and not _is_room(nouns[-1]):
+            nouns.pop()
+        if self._are_doing(nouns):
+            nouns.pop()
+            noun.end -= 1
+
+    @staticmethod
+    def _are_doing(nouns: list[Unit]) -> bool:
+        """Whether the last word says what several things do: "gloves | drying everywhere"."""
+        things = nouns[-2].known if len(nouns) > 1 else None
+        several = things is not None and things.entry.sort == "object" and nouns[-2].text.endswith("s")
+        return several and nouns[-1].known is None and nouns[-1].text.lower().endswith("ing")
 
     def _called(self, noun: Noun, units: Units) -> str:
         """What the phrase calls one of them: "treatment table" of "two white treatment tables"."""

@@ -16,13 +16,22 @@ _MADE = ("design", "layout", "plan", "model", "setup", "scene", "environment", "
 def with_pictured(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the room that is shown is the room, as long as nothing was named before it."""
     made: list[Chunk] = []
-    at = 0
+    at = 2 if _is_test(chunks) else 0
+    made += [Connector("fillers", "words", c.start, c.end, str(getattr(c, "text", ""))) for c in chunks[:at]]
     while at < len(chunks) and not (made and _names_thing(made[-1])):
         length = _picture(chunks, at)
         if not length:
             made.append(chunks[at])
         at += length or 1
     return [*made, *chunks[at:]]
+
+
+def _is_test(chunks: Sequence[Chunk]) -> bool:
+    """Whether the text begins with what is tested in a room: "Laundry pick-up test in a bedroom"."""
+    what, test, link, room = (*chunks[:4], None, None, None, None)[:4]
+    named = isinstance(what, Noun) and what.kind == "room" and not what.det and what.end == getattr(test, "start", -1)
+    tested = isinstance(test, Noun) and test.kind == "abstract" and test.word in grammar().lists["tests"]
+    return named and tested and is_link(link, "prepositions", "in") and isinstance(room, Noun) and room.kind == "room"
 
 
 def _names_thing(chunk: Chunk) -> bool:

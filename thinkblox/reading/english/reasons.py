@@ -18,7 +18,17 @@ def with_reasons(chunks: Sequence[Chunk]) -> list[Chunk]:
             end = next((n for n in range(at, len(chunks)) if is_link(chunks[n], "mark")), len(chunks))
             made[at:end] = [_filler(said) for said in chunks[at:end]]
             made[at - 1] = _filler(chunks[at - 1]) if not is_link(chunks[at - 1], "mark") else made[at - 1]
+        elif isinstance(chunk, Connector) and chunk.text.lower() == "because" and _is_of_unknown(chunks, at + 1):
+            end = next((n for n in range(at, len(chunks)) if is_link(chunks[n], "mark")), len(chunks))
+            made[at:end] = [_filler(said) for said in chunks[at:end]]
     return made
+
+
+def _is_of_unknown(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "of my allergy" comes, which is nothing that could be there."""
+    of, what = (*chunks[at : at + 2], None, None)[:2]
+    named = isinstance(what, Noun) and (what.named and what.kind == "thing")
+    return is_link(of, "prepositions", "of") and isinstance(what, Noun) and not named
 
 
 def _is_reason(chunks: Sequence[Chunk], at: int) -> bool:

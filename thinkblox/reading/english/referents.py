@@ -91,7 +91,7 @@ class Referents:
             lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
             lambda t: noun.plural and t.noun in (f"{noun.value}_kit", f"{noun.value}_set"),
             lambda t: word in (last_word(t), _head_word(t)),
-            lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
+            lambda t: (are_alike(t.noun, noun.value) and not _is_by_full_name(noun, t)) or t.noun in meant,
             lambda t: noun.det == "the" and not noun.unshown and stand_in(t.noun).like == noun.value,
             lambda t: any(are_alike(t.noun, category) for category in has_it),
         )
@@ -434,6 +434,12 @@ def _has_other_colour(thing: Mention, shades: Collection[str]) -> bool:
 def _is_another_kind(noun: Noun, thing: Mention) -> bool:
     """Whether a thing was called by a name of its own that differs: a dining table is not "the coffee table"."""
     return noun.value != thing.noun and _is_own_name(thing.text, thing.noun)
+
+
+def _is_by_full_name(noun: Noun, thing: Mention) -> bool:
+    """Whether "the projector screen" is named in full, so that no monitor is meant though both are screens."""
+    full = noun.det == "the" and " " in noun.called and noun.value in CATALOGUE and noun.word != last_word(thing)
+    return full and not (counts_as(thing.noun, noun.value) or counts_as(noun.value, thing.noun))
 
 
 def _is_one_besides(noun: Noun, thing: Mention) -> bool:
