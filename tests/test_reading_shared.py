@@ -795,3 +795,26 @@ def test_shelves_of_nothing_are_shelves() -> None:
 )
 def test_one_more_and_all_but_one(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "count", "relation"),
+    [
+        (
+            "A dorm with two beds; each bed has a nightstand and a lamp on the nightstand.",
+            {"table_lamp": 2},
+            "table_lamp on nightstand each",
+        ),
+        ("Three desks, each with a chair and a cushion on the chair.", {"pillow": 3}, "pillow on chair each"),
+        (
+            "Three desks. Each desk has a monitor and a keyboard in front of the monitor.",
+            {"keyboard": 3},
+            "keyboard in_front_of monitor each",
+        ),
+        ("Two shelves, each with a vase and a book next to the vase.", {"book": 2}, "book next_to vase each"),
+    ],
+)
+def test_what_each_has_by_what_it_has_is_by_each_of_these(prompt: str, count: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert count.items() <= things.items()
+    assert relation in relations

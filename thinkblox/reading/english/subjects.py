@@ -173,7 +173,7 @@ class Subjects(Having):
     def _is_of_member(self, where: Where, frame: Listed) -> bool:
         """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""
         anchor = where.whole or where.noun
-        named = anchor is not None and anchor.kind == "thing" and anchor.definite and not frame.each
+        named = anchor is not None and anchor.kind == "thing" and anchor.definite
         return named and anchor is not None and self.referents.named(anchor) in frame.members
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
