@@ -151,3 +151,20 @@ def test_what_is_told_of_one_row_is_not_lost(prompt: str, untold: str) -> None:
     brief = read_brief(prompt)
     assert untold in "; ".join(brief.unknown)
     assert {r.kind for r in brief.relations if r.asked} == {"in_rows"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count", "rows"),
+    [
+        ("A table with a 3x3 grid of cubes.", "cube", 9, 3),
+        ("A table with a three by three grid of red cubes.", "cube", 9, 3),
+        ("Six cups in a 2x3 grid on the table.", "cup", 6, 2),
+        ("Six cups are on the table in 2 rows of 3.", "cup", 6, 2),
+        ("A classroom with desks in a 4 by 5 grid.", "school_desk", 20, 4),
+    ],
+)
+def test_a_grid_is_so_many_rows_of_so_many(prompt: str, category: str, count: int, rows: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert [(r.subject, r.rows) for r in brief.relations if r.kind == "in_rows"] == [(category, rows)]
+    assert brief.unknown == ()
