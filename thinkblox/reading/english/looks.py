@@ -285,6 +285,8 @@ class Descriptions(Rooms):
         led = self._is_link(self._before(), "prepositions", "at") and not self._is_link(following, "prepositions")
         led |= self._is_link(self._before(), "prepositions", "at") and measured.size.along("height") is not None
         led |= isinstance(self._before(), Stray)
+        gap = isinstance(following, Noun) and following.kind == "abstract"
+        led |= gap and isinstance(following, Noun) and following.word in grammar().lists["gaps"]
         if led and len(measured.size.lengths) == 1 and measured.size.area is None:
             self._lose(measured.start, measured.end)
             return True
