@@ -63,3 +63,41 @@ def test_what_a_comma_with_tells_is_in_the_subject() -> None:
 def test_a_garage_for_two_cars_has_those_that_are_named() -> None:
     cars = [r.count for r in read_brief("A two-car garage with a car and a bench.").requests if r.category == "car"]
     assert cars == [1]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "states"),
+    [
+        ("The desk has a lamp. It is switched on.", {"desk_lamp": "switched on"}),
+        ("The nightstand has a lamp on it. It is lit.", {"table_lamp": "lit"}),
+        ("A table with a candle. It is burning.", {"candle": "burning"}),
+        ("The bed has a blanket. It is neatly folded.", {"blanket": "folded"}),
+        ("The bed has a blanket. It is unmade.", {"bed": "unmade"}),
+        ("The desk has a chair. It is pushed in.", {"chair": "pushed in"}),
+        ("The shelf has a book. It is open.", {"book": "open"}),
+        ("The cabinet has a vase on it. It is open.", {"cabinet": "open"}),
+        ("The kitchen has an oven and a table. It is switched on.", {"oven": "switched on"}),
+        ("The basket has a towel in it. It is full.", {"basket": "full"}),
+    ],
+)
+def test_it_is_what_can_be_so(prompt: str, states: dict[str, str]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: " ".join(r.states) for r in brief.requests if r.states} == states
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bed with a nightstand and a lamp on it.", ("table_lamp", "on", "nightstand")),
+        ("Two beds, each with a nightstand and a lamp on it.", ("table_lamp", "on", "nightstand")),
+        ("A sofa with a coffee table in front of it and a vase on it.", ("vase", "on", "coffee_table")),
+        ("An armchair with a side table and a book on it.", ("book", "on", "side_table")),
+        ("A bed with a nightstand and two pillows on it.", ("pillow", "on", "bed")),
+        ("A sofa with a side table and a blanket on it.", ("blanket", "on", "sofa")),
+    ],
+)
+def test_what_nobody_puts_on_a_bed_is_on_what_stands_beside_it(prompt: str, relation: tuple[str, str, str]) -> None:
+    brief = read_brief(prompt)
+    assert relation in {(r.subject, r.kind, r.anchors[0]) for r in brief.relations}
+    assert brief.unknown == ()

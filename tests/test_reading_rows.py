@@ -151,3 +151,88 @@ def test_what_is_told_of_one_row_is_not_lost(prompt: str, untold: str) -> None:
     brief = read_brief(prompt)
     assert untold in "; ".join(brief.unknown)
     assert {r.kind for r in brief.relations if r.asked} == {"in_rows"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count", "rows"),
+    [
+        ("A table with a 3x3 grid of cubes.", "cube", 9, 3),
+        ("A table with a three by three grid of red cubes.", "cube", 9, 3),
+        ("Six cups in a 2x3 grid on the table.", "cup", 6, 2),
+        ("Six cups are on the table in 2 rows of 3.", "cup", 6, 2),
+        ("A classroom with desks in a 4 by 5 grid.", "school_desk", 20, 4),
+    ],
+)
+def test_a_grid_is_so_many_rows_of_so_many(prompt: str, category: str, count: int, rows: int) -> None:
+    brief = read_brief(prompt)
+    assert brief.request(category).count == count
+    assert [(r.subject, r.rows) for r in brief.relations if r.kind == "in_rows"] == [(category, rows)]
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count", "rows"),
+    [
+        ("There are three rows, each with four desks.", "desk", 12, 3),
+        ("Each row has four desks, and there are three rows.", "desk", 12, 3),
+        ("A hall with ten rows of chairs, each with twelve chairs.", "chair", 120, 10),
+        ("A classroom with three rows of desks. Each row has four desks.", "school_desk", 12, 3),
+        ("A classroom with three rows; each has four desks.", "school_desk", 12, 3),
+    ],
+)
+def test_how_many_each_row_has_is_told_of_each(prompt: str, category: str, count: int, rows: int) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == {category: count}
+    assert [r.rows for r in brief.relations if r.kind == "in_rows"] == [rows]
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "untold"),
+    [
+        ("A supermarket with four aisles.", "four aisles"),
+        ("The aisle between the shelves is one meter wide.", "one meter wide"),
+        ("A shop with shelves and aisles 1.2 m wide.", "1.2 m wide"),
+        ("A library with bookcases and 1.5 m wide aisles between them.", "1.5 m wide"),
+    ],
+)
+def test_how_many_and_how_wide_aisles_are_is_said_not_to_be_seen_to(prompt: str, untold: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.unknown == (untold,)
+    assert brief.width is brief.depth is None
+    assert all(r.size == (None, None, None) for r in brief.requests)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "untold"),
+    [
+        ("An office with six cubicles in two rows.", {"desk_booth": 6}, ()),
+        (
+            "An office with eight cubicles, each with a desk, a chair and a computer.",
+            {"desk": 8, "chair": 8, "computer": 8},
+            ("eight cubicles",),
+        ),
+        (
+            "An office with four cubicles. Each cubicle has a desk and a monitor on the desk.",
+            {"desk": 4, "monitor": 4},
+            ("four cubicles",),
+        ),
+    ],
+)
+def test_cubicles_are_places_to_work_in_an_office(prompt: str, counts: dict[str, int], untold: tuple[str, ...]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == counts
+    assert brief.room_type == "office"
+    assert brief.unknown == untold
+
+
+def test_the_desk_of_the_teacher_is_none_of_those_of_the_class() -> None:
+    brief = read_brief("A classroom with ten desks. A globe stands on the teacher's desk.")
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"school_desk": 10, "desk": 1, "globe": 1}
+    assert ("globe", "on", ("desk",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+    assert brief.unknown == ()
+
+
+def test_students_who_sit_at_desks_do_not_live_there() -> None:
+    assert read_brief("Students sit at ten desks.").room_type == "room"
+    assert read_brief("A room for a student with a desk.").room_type == "dorm_room"

@@ -890,3 +890,75 @@ def test_a_sum_that_is_wrong_is_told() -> None:
     assert read_brief("Two benches with two backpacks on each, five backpacks altogether.").unknown == (
         "five backpacks",
     )
+
+
+@pytest.mark.parametrize(
+    ("prompt", "count", "relation"),
+    [
+        (
+            "A dorm with two beds; each bed has a nightstand and a lamp on the nightstand.",
+            {"table_lamp": 2},
+            "table_lamp on nightstand each",
+        ),
+        ("Three desks, each with a chair and a cushion on the chair.", {"pillow": 3}, "pillow on chair each"),
+        (
+            "Three desks. Each desk has a monitor and a keyboard in front of the monitor.",
+            {"keyboard": 3},
+            "keyboard in_front_of monitor each",
+        ),
+        ("Two shelves, each with a vase and a book next to the vase.", {"book": 2}, "book next_to vase each"),
+    ],
+)
+def test_what_each_has_by_what_it_has_is_by_each_of_these(prompt: str, count: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert count.items() <= things.items()
+    assert relation in relations
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "relation"),
+    [
+        (
+            "A conference table with ten chairs, a notepad and a pen in front of each chair.",
+            {"chair": 10, "notebook": 10, "pen": 10},
+            "notebook on conference_table",
+        ),
+        (
+            "A table with six chairs, with a plate, a fork and a glass in front of each chair.",
+            {"plate": 6, "fork": 6, "glass": 6},
+            "fork on dining_table",
+        ),
+        (
+            "A row of six lockers with a bench in front of every two lockers.",
+            {"locker": 6, "bench": 3},
+            "bench in_front_of locker",
+        ),
+        ("Every second desk has a plant; there are eight desks.", {"potted_plant": 4}, "potted_plant on desk each"),
+        ("Every third chair has a book on it. There are nine chairs.", {"book": 3}, "book on chair each"),
+        ("On both nightstands is a lamp.", {"nightstand": 2, "table_lamp": 2}, "table_lamp on nightstand each"),
+        ("There is a lamp on both nightstands.", {"nightstand": 2}, "table_lamp on nightstand each"),
+    ],
+)
+def test_what_each_or_every_other_one_has_is_counted(prompt: str, counts: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert counts.items() <= things.items()
+    assert relation in relations
+
+
+def test_people_who_share_desks_are_no_desks() -> None:
+    brief = read_brief("Six students sit at three desks, two at each desk.")
+    assert asked(brief) == {"desk": 3}
+    assert brief.unknown == ("two at each desk",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("The chair is 1 m away from the table.", "near"),
+        ("The sofa is three meters away from the TV.", "far"),
+    ],
+)
+def test_what_is_a_step_away_is_not_far(prompt: str, kind: str) -> None:
+    brief = read_brief(prompt)
+    assert [r.kind for r in brief.relations if r.asked] == [kind]
+    assert len(brief.unknown) == 1

@@ -175,3 +175,30 @@ def test_corners_of_tops_and_things_that_name_rooms_as_well(prompt: str, relatio
     brief = read_brief(prompt)
     assert {(r.subject, r.kind, r.anchors[0]) for r in brief.relations if r.asked} >= relations
     assert not brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A mug stands at the front edge of the table.", {"on": "cup", "in_front_of": "cup"}),
+        ("A mug on the left edge of the table.", {"on": "cup", "left_of": "cup"}),
+        ("A cube near the left edge of the table.", {"on": "cube", "left_of": "cube"}),
+        ("A cube along the back edge of the table.", {"on": "cube", "behind": "cube"}),
+        ("Near the right edge of the table stands a vase.", {"on": "vase", "right_of": "vase"}),
+        ("A table with a red block near the left edge.", {"on": "block", "left_of": "block"}),
+        ("A chair near the left edge of the table.", {"left_of": "chair"}),
+    ],
+)
+def test_small_things_near_an_edge_of_a_top_are_on_it(prompt: str, relations: dict[str, str]) -> None:
+    brief = read_brief(prompt)
+    assert {r.kind: r.subject for r in brief.relations if r.asked} == relations
+    assert {r.anchors for r in brief.relations if r.asked} == {("dining_table",)}
+    assert brief.unknown == ()
+
+
+def test_the_near_edge_is_of_the_desk_that_was_named() -> None:
+    brief = read_brief("A monitor at the far edge of the desk and a keyboard at the near edge.")
+    assert {("monitor", "behind", ("desk",)), ("keyboard", "in_front_of", ("desk",))} <= {
+        (r.subject, r.kind, r.anchors) for r in brief.relations
+    }
+    assert brief.unknown == ()

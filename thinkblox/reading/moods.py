@@ -18,6 +18,8 @@ _NEGATIONS = frozenset(
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "his", "her", "their", "some", "old", "little", "two"})
 _HOUSEHOLD = 5
 """More people than this use a room, and do not live in it."""
+_SEATED = ("sit", "sitting", "learn", "listen")
+"""What several do who only come to a room."""
 _IDLE = ("filler", "not_understood", "requested")
 """Fates of words of which no thing was made."""
 FEW = 5
@@ -125,9 +127,10 @@ def _words(text: str) -> list[str]:
 
 
 def _is_crowd(draft: Draft, words: tuple[Word, ...], found: Found) -> bool:
-    """Whether it is who the room is for, too many to live there: "a lab for 20 students"."""
+    """Whether it is who the room is for, too many to live there: "a lab for 20 students", "students sit in pairs"."""
     plural = found.end - found.start == 1 and words[found.start].text.lower().endswith("s")
-    return plural and draft.people > _HOUSEHOLD
+    seated = found.end < len(words) and words[found.end].text.lower() in _SEATED
+    return plural and (seated or draft.people > _HOUSEHOLD)
 
 
 def _is_denied(words: tuple[Word, ...], start: int) -> bool:

@@ -37,6 +37,7 @@ from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.fronted import with_fronted
 from thinkblox.reading.english.goals import with_goals
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grids import with_grids
 from thinkblox.reading.english.halves import with_halves
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
@@ -172,7 +173,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _AND_HALF.sub(lambda match: _and_half(match[1].lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = with_plain_sizes(lexicon, _spelt_out(lexicon.tokens(text)))
+    tokens = with_plain_sizes(lexicon, with_grids(_spelt_out(lexicon.tokens(text))))
     tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(tokens))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]

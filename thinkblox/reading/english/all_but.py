@@ -13,7 +13,7 @@ _EACH = ("each of them", "every one of them", "each of these")
 
 def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which all but some of several are every one of them but so many."""
-    made = [_each_of_both(chunk, chunks[max(at - 3, 0) : at]) for at, chunk in enumerate(chunks)]
+    made = [_each_of_both(chunk, chunks[:at]) for at, chunk in enumerate(chunks)]
     for at in range(len(made) - 2):
         every, but, left = made[at : at + 3]
         if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):
@@ -38,8 +38,11 @@ def _each_of_both(chunk: Chunk, before: Sequence[Chunk]) -> Chunk:
     said = before[-3] if len(before) > 1 and is_link(before[-2], "verbs") else before[-2] if len(before) > 1 else None
     front = said is None or is_link(said, "mark") or is_link(before[-2], "mark") or is_link(before[-2], "joins")
     single = isinstance(said, Noun) and said.kind == "thing" and said.det == "a" and not said.many
-    both = replace(chunk, det="each", plural=False, text=f"each {chunk.word}")
-    return both if front or single else chunk
+    if not (front or single):
+        return chunk
+    if any(isinstance(c, Noun) and (c.kind, c.value) == (chunk.kind, chunk.value) for c in before):
+        return replace(chunk, det="each", plural=False, text=f"each {chunk.word}")
+    return replace(chunk, det="each", count=2, text=f"each of the two {chunk.text.split()[-1]}")
 
 
 def _is_all(noun: Noun) -> bool:

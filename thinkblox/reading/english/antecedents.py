@@ -28,6 +28,8 @@ _SIDES = ("left_of", "right_of", "in_front_of", "behind", "above", "under")
 """Relations of which two are told of one thing in a row: "the fridge is left of the stove, the sink right of it"."""
 _FAINT = 0.25
 """How much of a part of a sentence counts once another sentence has begun."""
+_SOFT = ("beds", "lounges", "seats", "chairs")
+"""What hardly anything stands on."""
 _PAIR = 2
 _NEAR = 6
 """How many things back another can be of which both are "them"."""
@@ -87,6 +89,8 @@ class Antecedents:
 
         That counts for it as well; where another comes near, that is noted in `unclear`. The rest as in `ranked`.
         """
+        if one and (usual := self._usual_carrier(found, kind, subjects, noun)) is not None:
+            return usual
         if one and found.many and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
         by = weights()
@@ -108,6 +112,14 @@ class Antecedents:
         if not self._is_owner(best.thing, where[0]):
             self.pointed[where[0]] = best.thing
         return best.thing
+
+    def _usual_carrier(self, found: Mention, kind: str, subjects: Sequence[Mention], noun: str) -> Mention | None:
+        """What such things lie on that stands beside what carries none: "a bed with a nightstand and a lamp on it"."""
+        is_in = load_habits().is_in
+        if kind not in ("on", "on_top") or not is_in(found.noun, *_SOFT) or load_habits().tie(noun, found.noun) == "on":
+            return None
+        own = (t for t in reversed(self._draft.things[-_WINDOW:]) if t.owner is found and t not in subjects)
+        return next((t for t in own if is_in(t.noun, "surfaces", "tables")), None)
 
     def _carrier(self, best: Antecedent, others: Sequence[Antecedent]) -> Antecedent | None:
         """Which of them the best lies on; itself where another one lies on it and comes near."""
@@ -154,6 +166,14 @@ class Antecedents:
                 if id(thing) not in scores or scores[id(thing)].score < score:
                     scores[id(thing)] = Antecedent(thing, score, several)
         return sorted(scores.values(), key=lambda candidate: -candidate.score)
+
+    def bearer(self, start: int, states: Sequence[str], found: Mention) -> Mention:
+        """What "it" at token `start` is that is said to be in some states; `found` unless only another can be so."""
+        if can_be(found.noun, states):
+            return found
+        ranked = self.ranked(start, "", (), "", one=True)
+        able = (c.thing for c in ranked if not c.several and can_be(c.thing.noun, states))
+        return next(able, found)
 
     def choose_several(
         self,
@@ -335,6 +355,13 @@ def _worth(kind: str, noun: str, to: str, revision: int) -> float:
         if row["to"] == ["other"] or (groups and habits.is_in(to, *groups)):
             return usual or float(row["by"])
     return usual
+
+
+def can_be(category: str, states: Sequence[str]) -> bool:
+    """Whether a thing can be in all these states, as far as is known: a desk is not lit, a lamp not folded."""
+    is_in = load_habits().is_in
+    rows = [row for row in _table()["states"] if any(state in row["words"] for state in states)]
+    return all(is_in(category, *row["only"]) if "only" in row else not is_in(category, *row["none"]) for row in rows)
 
 
 def weights() -> dict[str, float]:

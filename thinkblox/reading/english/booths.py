@@ -3,9 +3,15 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
 
-_BOOTHS: Mapping[str, str] = {"phone_booth": "phone_booth", "ticket_booth": "teller_window", "treehouse": "playhouse"}
+_BOOTHS: Mapping[str, str] = {
+    "phone_booth": "phone_booth",
+    "ticket_booth": "teller_window",
+    "treehouse": "playhouse",
+    "cubicles": "desk_booth",
+}
 """The things that these rooms are where they stand in another room."""
 _NAMES = ("room", "thing")
 """What a text may begin with as its room."""
@@ -33,4 +39,6 @@ def _as_thing(chunk: Chunk) -> Chunk:
     """A booth as a thing; other chunks as they are."""
     if not isinstance(chunk, Noun) or chunk.kind != "room" or chunk.value not in _BOOTHS:
         return chunk
-    return replace(chunk, kind="thing", value=_BOOTHS[chunk.value], called=chunk.value.replace("_", " "))
+    many = chunk.plural or (chunk.count is None and chunk.word != chunk.text.lower().split()[-1])
+    called = singular(chunk.value.replace("_", " "))
+    return replace(chunk, kind="thing", value=_BOOTHS[chunk.value], called=called, plural=many)

@@ -13,13 +13,15 @@ _PER = ("per", "in", "to", "on")
 _OF = ("of", "in")
 _FACING = ("left_wall", "right_wall")
 _BOTH = 2
+_REACH = 9
+"""So many chunks tell at most how many each row has, and how many rows there are."""
 _ROW = re.compile(r"(?:in|of|from) the (?:first|second|third|fourth|fifth|last|front|back|middle|rear) (?:row|column)")
 """What says in which row something is."""
 
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks))))))
+    chunks = _each_with(_on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks)))))))
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -95,6 +97,71 @@ def _told_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
             closed = bool(end) and is_link(end[0], "mark", "dash", "close", "comma")
             made[at : at + 3 + closed] = [replace(things, rows=told.rows, count=told.count, end=told.end)]
     return made
+
+
+def _each_with(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which "three rows, each with four desks", or "each row has four, and there are three" are so many."""
+    made = list(chunks)
+    for at in range(len(made) - 3, -1, -1):
+        first = made[at]
+        if not isinstance(first, Noun) or not first.rows or first.count:
+            continue
+        rest = [c for c in made[at + 1 : at + _REACH] if not is_link(c, "joins", "and")]
+        rest = rest[1:] if is_link(rest[0], "mark") else rest
+        padded: list[Chunk | None] = [*rest, None, None, None, None]
+        each, having, things, after = *padded[:3], padded[3:]
+        told: Noun | None = None
+        if first.rows > 1 and isinstance(each, Noun) and each.value == "each" and _has(having):
+            told = _in_each(things, first.rows, first)
+        elif first.rows == _A_ROW and first.det == "each" and _has(each) and isinstance(having, Noun):
+            if _counted_before(made, at, having, things):
+                continue
+            told, things, after = _rows_later(having, things, after)
+        if told is not None and _ends(after[0]):
+            end = next((n for n in range(at, len(made)) if made[n] is after[0]), len(made))
+            made[at:end] = [replace(told, start=first.start)]
+    return made
+
+
+def _ends(chunk: Chunk | None) -> bool:
+    return chunk is None or is_link(chunk, "mark", "stop", "semicolon")
+
+
+def _counted_before(made: list[Chunk], at: int, things: Noun, after: Chunk | None) -> bool:
+    """Count the rows of desks that were named before "each row has four desks", which then is told."""
+    for back in range(at - 1, -1, -1):
+        rows = made[back]
+        if not isinstance(rows, Noun) or rows.rows <= 1:
+            continue
+        told = _in_each(things, rows.rows, rows) if rows.kind == "thing" and not rows.count and _ends(after) else None
+        if told is not None:
+            made[back] = replace(rows, count=told.count, plural=True)
+            start, end = made[at].start, things.end
+            made[at : at + 3] = [Connector("fillers", "words", start, end, "so many in each row")]
+        return told is not None
+    return False
+
+
+def _has(chunk: Chunk | None) -> bool:
+    return is_link(chunk, "prepositions", "with", "of") or is_link(chunk, "verbs", "have", "hold", "consist")
+
+
+def _in_each(things: Chunk | None, rows: int, named: Noun) -> Noun | None:
+    """So many rows of what each has; None where that is not what the rows are of."""
+    if not isinstance(things, Noun) or things.kind != "thing" or not things.count or things.definite or things.rows:
+        return None
+    alike = named.kind == "number" or named.value == things.value
+    return replace(things, count=rows * things.count, rows=rows, plural=True) if alike else None
+
+
+def _rows_later(
+    things: Noun, mark: Chunk | None, after: list[Chunk | None]
+) -> tuple[Noun | None, Chunk | None, list[Chunk | None]]:
+    """What each row has, where "there are three rows" comes next, and what comes then."""
+    be, rows, *rest = [mark, *after, None, None] if is_link(mark, "verbs", "be") else [*after, None, None]
+    counted = is_link(be, "verbs", "be") and isinstance(rows, Noun) and rows.kind == "number" and rows.rows > 1
+    told = _in_each(things, rows.rows, rows) if counted and isinstance(rows, Noun) else None
+    return told, rows, rest
 
 
 def _joined_walls(chunks: Sequence[Chunk]) -> list[Chunk]:

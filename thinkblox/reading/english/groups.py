@@ -6,7 +6,7 @@ from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.looks import Descriptions
 from thinkblox.reading.english.nodes import Listed, Node
@@ -34,6 +34,7 @@ class Groups(Descriptions):
                 self._take_known(noun, [group])
                 return
         word = noun.word
+        self._lose_gap(noun)
         if word in grammar().lists["measures_of_things"] and noun.plural and self.draft.things:
             self._lose(noun.start, noun.end)
             return
@@ -55,10 +56,28 @@ class Groups(Descriptions):
         if not self.clause.members and self.separator != "and":
             self.frontier = [Node()]
 
+    def _lose_gap(self, noun: Noun) -> None:
+        """Say of aisles that nobody sees to how many there are, or how wide: that is no size of things or rooms."""
+        gap = noun.word in grammar().lists["gaps"]
+        if gap and ((noun.count or 0) > 1 or noun.size is not None):
+            self._lose(noun.start, noun.end)
+        for at in range(self.at, min(self.at + LOOKAHEAD, len(self.chunks)) if gap else 0):
+            said = self.chunks[at]
+            if isinstance(said, Measured):
+                self._lose(said.start, said.end)
+                self.chunks[at] = Connector("fillers", "words", said.start, said.end)
+                return
+            told = isinstance(said, Noun) or self._is_link(said, "fillers") or self._is_link(said, "verbs", "be")
+            between = self._is_link(said, "prepositions", "between", "of")
+            if not (told or between or self._is_link(said, "joins", "and")):
+                return
+
     def _dissolve(self, group: Mention) -> None:
         """Let the members of a list stand for a group that is no thing itself: each member as often as the group."""
         frame = Listed(None, "list", times=group.count or 1, each=True, inherited=self.draft.bonds_of(group))
         self.draft.drop(group)
+        if last_word(group) in grammar().lists["screened"] and (noun := self.named_by.get(group)) is not None:
+            self._lose(noun.start, noun.end)
         self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
         self.clause = frame
         self.front = [] if frame.inherited else self.front

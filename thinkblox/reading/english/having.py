@@ -60,7 +60,8 @@ class Having(Groups):
         made |= thing is not None and last_word(thing) in grammar().lists["made_up"]
         group = thing is not None and (thing in self.groups.values() or (made and thing.many))
         group &= self.each or head.each
-        if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
+        held = kind == "with" or (thing is not None and last_word(thing) in grammar().lists["screened"])
+        if held and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return
         several = head.frame is not None and head.frame.times > 1

@@ -299,6 +299,8 @@ class Descriptions(Rooms):
         led = self._is_link(self._before(), "prepositions", "at") and not self._is_link(following, "prepositions")
         led |= self._is_link(self._before(), "prepositions", "at") and measured.size.along("height") is not None
         led |= isinstance(self._before(), Stray)
+        gap = isinstance(following, Noun) and following.kind == "abstract"
+        led |= gap and isinstance(following, Noun) and following.word in grammar().lists["gaps"]
         if led and len(measured.size.lengths) == 1 and measured.size.area is None:
             self._lose(measured.start, measured.end)
             return True
@@ -324,7 +326,8 @@ class Descriptions(Rooms):
 
     def _stand_off(self, following: Connector, size: Size) -> None:
         """Take "3 m from" for the relation that it comes nearest to; how far exactly is not kept."""
-        if len(size.lengths) == 1 and size.area is None and following.value == "from":
+        if len(size.lengths) == 1 and size.area is None and following.value in ("from", "far"):
             metres = size.lengths[0].metres
-            word = "next_to" if metres <= _BESIDE else "near" if metres <= _NEAR else "far"
+            beside = metres <= _BESIDE and following.value == "from"
+            word = "next_to" if beside else "near" if metres <= _NEAR else "far"
             self.chunks[self.at] = replace(following, value=word)

@@ -48,7 +48,7 @@ class Naming(Several):
 
     def _pointed_at_by_name(self, noun: Noun) -> list[Mention]:
         if noun.det == "each" and noun.every:
-            return self._every(noun)
+            return self._every_counted(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
             return list(seats)
         if noun.det == "each" or (noun.det in ("all", "both", "none") and noun.plural):
@@ -324,6 +324,20 @@ class Naming(Several):
         seats = [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP for b in self.draft.bonds_of(t))]
         return drawn or seats
+
+    def _every_counted(self, noun: Noun) -> list[Mention]:
+        """Read it where these are counted later: "every second desk has a plant; there are eight desks"."""
+        unnamed = not noun.counted and self._named_or_seats(noun) is None
+        for at in range(self.at, len(self.chunks) if unnamed else 0):
+            later = self.chunks[at]
+            if not isinstance(later, Noun) or (later.kind, later.value) != (noun.kind, noun.value):
+                continue
+            if (later.count or 0) < 2 or later.definite or later.det not in ("", "a"):
+                break
+            self.chunks[at] = replace(later, det="the")
+            self._new(replace(later, start=noun.start, end=noun.end))
+            break
+        return self._every(noun)
 
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""

@@ -38,7 +38,7 @@ class Numbers(Verbs):
         if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
             self.at += 2
             return
-        if self._shares_out(noun) or self._goes_back(noun):
+        if self._shares_out(noun) or self._goes_back(noun) or self._are_people_at_each(noun):
             return
         whole = self._of_owners(noun) or self._one_left(noun, [])
         if whole is not None:
@@ -49,6 +49,19 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _are_people_at_each(self, noun: Noun) -> bool:
+        """Say of "six students sit at three desks, two at each" that nobody sees to who sits where."""
+        said = self.chunks[self._clause_start() : self.at - 1]
+        people = next((c for c in said if isinstance(c, Noun)), None)
+        each = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        if people is None or people.kind != "people" or not people.count or each is None or noun.of_known:
+            return False
+        if not (each.each or each.value == "each") or people.count % (noun.count or 1):
+            return False
+        self._go_past(each)
+        self._lose(noun.start, each.end)
+        return True
 
     def _goes_back(self, noun: Noun) -> bool:
         """Go back to the only thing that looks so: "a red chair and a blue chair; the red one ..."."""

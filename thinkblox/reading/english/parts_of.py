@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.said import is_link, is_spatial
 
 _AT_WALL = ("head", "back")
@@ -17,7 +18,7 @@ def with_wholes(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         part, whole = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
-        parted = isinstance(part, Noun) and part.word in grammar().lists["parts"]
+        parted = isinstance(part, Noun) and part.word in grammar().lists["parts"] and part.value not in SIDES
         parted &= is_link(chunks[at + 1], "prepositions", "of") if whole is not None else False
         there = bool(at) and is_link(chunks[at - 1], "prepositions", "in", "on", "from")
         told = isinstance(part, Noun) and part.definite and _tells_where(chunks, at + 3)

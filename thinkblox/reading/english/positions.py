@@ -415,7 +415,8 @@ class Positions(Subjects):
 
     def _stand_in_rows(self, where: Where, noun: Noun) -> None:
         """Let what was named stand in rows, as many as these have where nobody said how many there are."""
-        things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
+        things = [n for n in (*reversed(self.frontier), self.subject) if n is not None and n.things]
+        things = [n for n in things if n.frame is not None or n.things[-1].many] or things
         if things:
             frame = things[0].frame
             of_each = frame is not None and frame.each and frame.head is not None and frame.head.things

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from thinkblox.knowledge.seats import places_at
-from thinkblox.reading.attach import bind
+from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -20,6 +20,8 @@ _MOST_AT_ONE = 12
 _PAIR = 2
 _OWN = ("beds", "desks", "chairs", "storage")
 """What each of several people may have one of."""
+_BESIDE_EVERY = ("in_front_of", "behind", "next_to", "near", "by", "opposite", "above")
+"""Where one thing can be for every so many others."""
 _TOPS = ("tables", "desks", "counters")
 """What "of" says to be full of things that lie on it."""
 
@@ -95,7 +97,10 @@ class Prepositions(Negation):
         """Read "one bench for every two lockers": one for so many of what was named; it is near them."""
         noun, node = self._next_noun(), self.frontier[-1] if self.frontier else None
         thing = node.thing if node is not None and not node.known else None
-        if link.value not in ("for", "per") or noun is None or noun.kind != "thing" or thing is None:
+        if noun is None or noun.kind != "thing" or thing is None:
+            return False
+        beside = noun.counted and noun.text.lower().startswith("every ") and link.value in _BESIDE_EVERY
+        if link.value not in ("for", "per") and not beside:
             return False
         every = noun.every if noun.counted else noun.count if link.text.lower().endswith("every") else None
         lying = [b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside")]
@@ -119,7 +124,7 @@ class Prepositions(Negation):
         self.draft.bonds = [b for b in self.draft.bonds if b.subject is not thing or whole not in b.anchors]
         if not placed and not any(b.kind == "on" for b in self.draft.bonds_of(thing)):
             tables = self._tables_of([whole]) if is_small(thing) else []
-            near = Bond("near", thing, (whole,), implied=True)
+            near = Bond(relation_kind(link.value) if beside else "near", thing, (whole,), implied=not beside)
             bind(self.draft, Bond("on", thing, tuple(tables)) if tables else near)
         return True
 

@@ -27,8 +27,7 @@ class Pronouns(Numbers):
                 found = self.referents.of_two(noun.value)
                 self._resume([found] if found is not None else [], noun)
             case "it":
-                found = self.referents.single(None, "", self._spoken_of())
-                self._resume([found] if found is not None else [], noun)
+                self._resume(self._it(noun), noun)
             case "them" if noun.text.lower().startswith("both"):
                 joined = self.clause.last_joined() or self.referents.joined
                 two = joined if len(joined) == _PAIR else self.referents.both(())
@@ -44,6 +43,21 @@ class Pronouns(Numbers):
                 self._all(noun)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _it(self, noun: Noun) -> list[Mention]:
+        """What "it" is: what was spoken of, unless that cannot be as is said of it."""
+        found = self.referents.single(None, "", self._spoken_of())
+        if found is not None and (states := self._states_next()):
+            found = self.antecedents.bearer(noun.start, states, found)
+        return [found] if found is not None else []
+
+    def _states_next(self) -> list[str]:
+        """The states of "(it) is switched on", "(it) has been neatly folded"."""
+        at = 0
+        while self._is_link(self.peek(at), "fillers") or self._is_link(self.peek(at), "verbs", "be"):
+            at += 1
+        said = self.peek(at)
+        return said.states if at and isinstance(said, Adjective) else []
 
     def _is_on_one(self) -> bool:
         """Whether "on a desk" comes, which is one for both: "two screens, both on a desk"."""

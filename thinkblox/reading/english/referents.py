@@ -443,14 +443,22 @@ def _is_by_full_name(noun: Noun, thing: Mention) -> bool:
 
 
 def _is_one_besides(noun: Noun, thing: Mention) -> bool:
-    """Whether "the armchair" is none of six chairs, and "my own desk" none of several."""
+    """Whether "the armchair" is none of six chairs, and "my own" or "the teacher's desk" none of several."""
     if not thing.many:
         return False
     if noun.det == "my" and not noun.plural and noun.text.lower().split()[1:2] == ["own"]:
         return True
     lone = noun.det == "the" and not (noun.plural or noun.ordinal or noun.side or noun.degree or noun.of_known)
+    if lone and noun.count in (None, 1) and (owner := _person(noun.text)) and owner != _person(thing.text):
+        return True
     own = noun.named and noun.value in CATALOGUE and noun.count in (None, 1) and last_word(thing) != noun.word
     return lone and own and noun.value != thing.noun and not counts_as(thing.noun, noun.value)
+
+
+def _person(text: str) -> str:
+    """Whose a thing is said to be, where that is a word for somebody: "the teacher's desk"."""
+    words = (word.strip("'\u2019").partition("'")[0].partition("\u2019")[0] for word in text.lower().split())
+    return next((word for word in words if grammar().knows(word, "people")), "")
 
 
 def _is_own_name(text: str, value: str) -> bool:

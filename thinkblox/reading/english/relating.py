@@ -71,6 +71,7 @@ class Relating(Naming):
             self.draft.bonds = [b for b in self.draft.bonds if b not in supposed] + [bond]
             return
         self._share(bond)
+        self._share_in_group(bond)
         bind(self.draft, bond)
         for side in (side for side in SIDES if side in meaning.part.split()):
             bind(self.draft, Bond(relation_kind(SIDES[side]), subject, anchors, each=meaning.each))
@@ -287,6 +288,23 @@ class Relating(Naming):
             if held and bond.subject not in besides and not self.draft.bonds_of(bond.subject)[1:]:
                 bond.each = bond.distributed = True
 
+    def _share_in_group(self, bond: Bond) -> None:
+        """Let each of several groups have its own of what is at something else that each has."""
+        frame, anchor = self.clause, bond.anchors[0] if len(bond.anchors) == 1 else None
+        count = bond.subject.count or 0
+        if frame.times <= 1 or bond.each or bond.kind == "between" or not isinstance(anchor, Mention):
+            return
+        both = anchor in frame.members and bond.subject in frame.members
+        if both and anchor.count == frame.times and count and not count % frame.times:
+            bond.subject.count, bond.each = count // frame.times, True
+
+    def _lie_among(self, bond: Bond, heads: Sequence[Mention]) -> bool:
+        """Whether each has its own of what it is at: "each bed has a nightstand and a lamp on the nightstand"."""
+        anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
+        if not isinstance(anchor, Mention) or bond.kind == "between" or anchor in heads:
+            return False
+        return any(b.each and not b.negated and set(b.anchors) & set(heads) for b in self.draft.bonds_of(anchor))
+
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""
         if bond.subject.per and set(bond.anchors) <= set(bond.subject.per):
@@ -294,6 +312,9 @@ class Relating(Naming):
         for old in self.draft.bonds_of(bond.subject):
             if old.implied and old.each and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]
+                if self._lie_among(bond, heads):
+                    bond.each = True
+                    continue
                 if not old.distributed and bond.anchors != old.anchors:
                     continue
                 if tuple(heads) != bond.anchors and not set(map(id, heads)) & set(map(id, bond.anchors)):

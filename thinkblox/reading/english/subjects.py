@@ -174,7 +174,7 @@ class Subjects(Having):
     def _is_of_member(self, where: Where, frame: Listed) -> bool:
         """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""
         anchor = where.whole or where.noun
-        named = anchor is not None and anchor.kind == "thing" and anchor.definite and not frame.each
+        named = anchor is not None and anchor.kind == "thing" and anchor.definite
         return named and anchor is not None and self.referents.named(anchor) in frame.members
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
@@ -453,7 +453,8 @@ class Subjects(Having):
         """A list that shares what is said of its last member: "a vase and two candles on the table"."""
         thing = node.things[-1]
         frame = node.frame
-        if together := self._under_raised(node, where) or self._named_with(node):
+        together = self._under_raised(node, where) or self._named_with(node) or self._laid_with(node, where)
+        if together:
             return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
@@ -500,6 +501,21 @@ class Subjects(Having):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _laid_with(self, node: Node, where: Where) -> list[Mention]:
+        """All of "a plate, a fork and a glass in front of each chair"; empty for what is not laid at seats."""
+        noun, frame, last = where.noun, node.frame, node.things[-1]
+        seats = noun is not None and noun.each and (noun.value == "seat" or self.habits.is_in(noun.value, "seats"))
+        if not seats or frame is None or len(node.things) > 1 or not self._ends_list(node):
+            return []
+        listed = frame.members[: frame.members.index(last) + 1] if last in frame.members else []
+        laid = [*takewhile(self._is_one_to_lay, reversed(listed))]
+        return laid[::-1] if len(laid) > 1 else []
+
+    def _is_one_to_lay(self, thing: Mention) -> bool:
+        """Whether one small thing was named, and nobody said where it is."""
+        untold = all(bond.implied and not bond.each for bond in self.draft.bonds_of(thing))
+        return untold and is_small(thing) and thing.count in (None, 1)
 
     def _is_placed_itself(self, thing: Mention) -> bool:
         """Whether its own words say where it is, though nothing may have been made of that."""

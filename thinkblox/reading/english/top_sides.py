@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
 
 _CARRIED = 4
 """How many chunks before its place a thing is that carries another."""
+_NEAR = ("on", "near", "along", "at", "by", "next_to", "against")
+_EDGES = ("edge", "rim", "end")
 _SIDES = {"left_wall": "left", "right_wall": "right", "far_wall": "back", "near_wall": "front"}
 
 
@@ -23,9 +25,51 @@ def with_top_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
             found.append(_corner(chunk))
         elif isinstance(chunk, Noun) and _is_end(chunk) and _is_told_of(chunks, at):
             found.append(_end(chunk))
+        elif isinstance(chunk, Connector) and _is_at_edge(chunks, at):
+            found.append(replace(chunk, value="on", text="at"))
+        elif isinstance(chunk, Noun) and (top := _top_of_edge(chunks, at)) is not None:
+            whole = replace(top, start=chunk.end, end=chunk.end, det="the", text=f"the {top.word}", count=None)
+            link = found[-1]
+            if isinstance(link, Connector) and link.value in _NEAR:
+                found[-1] = replace(link, value="on", text="at")
+            found += [chunk, Connector("prepositions", "of", chunk.end, chunk.end, "of"), whole]
         else:
             found.append(chunk)
     return found
+
+
+def _is_at_edge(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether something small is "near the left edge of the table", which is on it."""
+    edge, of, top = (*chunks[at + 1 : at + _CARRIED], None, None, None)[:3]
+    if not is_link(chunks[at], "prepositions", *_NEAR) or not isinstance(edge, Noun) or not isinstance(top, Noun):
+        return False
+    surface = top.kind == "thing" and load_habits().is_in(top.value, "surfaces")
+    if edge.kind != "part" or edge.word not in _EDGES or not is_link(of, "prepositions", "of") or not surface:
+        return False
+    before = (c for c in reversed(chunks[:at]) if not _is_of_verb(c))
+    after = (c for c in chunks[at + _CARRIED :] if not _is_of_verb(c))
+    named = next(before, None)
+    named = named if isinstance(named, Noun) else next(after, None)
+    small = isinstance(named, Noun) and named.kind == "thing" and load_habits().is_in(named.value, "small", "lamps")
+    return small and not (at and is_link(chunks[at - 1], "prepositions"))
+
+
+def _top_of_edge(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """What a sentence named that has the edge at which something small is: a room has none."""
+    edge, small = chunks[at], chunks[at - 2] if at > 1 else None
+    if not isinstance(edge, Noun) or edge.kind != "part" or edge.word not in ("edge", "rim") or edge.det != "the":
+        return None
+    told = is_link(chunks[at + 1] if at + 1 < len(chunks) else None, "prepositions", "of")
+    if told or not is_link(chunks[at - 1], "prepositions") or not isinstance(small, Noun) or small.kind != "thing":
+        return None
+    ended = next((n for n in range(at - 1, -1, -1) if is_link(chunks[n], "mark", "stop", "semicolon")), -1)
+    tops = [c for c in chunks[ended + 1 : at - 2] if isinstance(c, Noun) and c.kind == "thing"]
+    carried = load_habits().is_in(small.value, "small", "lamps")
+    return next((c for c in reversed(tops) if carried and load_habits().is_in(c.value, "surfaces")), None)
+
+
+def _is_of_verb(chunk: Chunk) -> bool:
+    return is_link(chunk, "verbs", "be", "stand") or is_link(chunk, "participles") or is_link(chunk, "fillers")
 
 
 def _is_corner(place: Noun) -> bool:
