@@ -248,3 +248,19 @@ def test_a_plant_and_its_pot_are_one_thing(prompt: str, plants: dict[str, int]) 
     assert brief.unknown == ()
     unshown = [look for r in brief.requests for look in r.unshown]
     assert unshown == (["in a clay pot"] if "clay" in prompt else [])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("A plate with a fork on its left and a knife on its right.", "1 fork left_of plate, 1 knife right_of plate"),
+        ("A tray with a cup to its right and a bowl to its left.", "1 cup right_of tray, 1 bowl left_of tray"),
+        ("A mug hangs from a mug tree.", "1 cup on mug_tree"),
+        ("A coat hangs from the hook by the door.", "1 coat on coat_hooks, 1 coat_hooks next_to door"),
+        ("The drawer of the cabinet contains a spoon and a knife.", "1 spoon inside cabinet, 1 knife inside cabinet"),
+        ("The cabinet's drawer holds a spoon.", "1 spoon inside cabinet"),
+    ],
+)
+def test_what_is_beside_on_and_in_small_things_and_drawers(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()

@@ -218,3 +218,20 @@ def test_not_too_many_are_some() -> None:
 def test_what_is_asked_about_is_as_is_answered() -> None:
     assert looks("The table? It should be round. And the chairs? Wooden, please.", "chair") == {"wooden": 4}
     assert looks("A sofa and two chairs. The chairs? Green and by the window.", "chair") == {"green": 2}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "chairs"),
+    [("Neither of the two chairs has a cushion.", 2), ("None of the four chairs has a cushion on it.", 4)],
+)
+def test_what_none_of_those_has_that_nobody_named_is_not_there(prompt: str, chairs: int) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"chair": chairs}
+    assert brief.excluded == ("pillow",)
+    assert brief.unknown == ()
+
+
+def test_what_has_no_drawers_bars_no_dresser() -> None:
+    brief = read_brief("A nightstand without drawers.")
+    assert brief.excluded == ()
+    assert brief.request("nightstand").unshown == ("without drawers",)
