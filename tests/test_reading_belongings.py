@@ -306,3 +306,16 @@ def test_sides_and_places_told_last_are_of_both(prompt: str, relations: set[str]
 def test_triplets_with_three_beds_have_three() -> None:
     brief = read_brief("We have triplets, so their bedroom needs three small beds, each with a pillow.")
     assert {r.category: r.count for r in brief.requests if r.asked} == {"bed": 3, "pillow": 3}
+
+
+        ("A plate with a fork on its left and a knife on its right.", "1 fork left_of plate, 1 knife right_of plate"),
+        ("A tray with a cup to its right and a bowl to its left.", "1 cup right_of tray, 1 bowl left_of tray"),
+        ("A mug hangs from a mug tree.", "1 cup on mug_tree"),
+        ("A coat hangs from the hook by the door.", "1 coat on coat_hooks, 1 coat_hooks next_to door"),
+        ("The drawer of the cabinet contains a spoon and a knife.", "1 spoon inside cabinet, 1 knife inside cabinet"),
+        ("The cabinet's drawer holds a spoon.", "1 spoon inside cabinet"),
+    ],
+)
+def test_what_is_beside_on_and_in_small_things_and_drawers(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()

@@ -191,3 +191,47 @@ def test_what_some_have_is_no_part_of_their_name() -> None:
     assert relations(brief) == {"1 desk_lamp on desk", "2 computer on desk-2"}
     assert sorted(r.count for r in brief.requests if r.category == "desk") == [1, 1, 2]
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "least", "most"),
+    [
+        ("A room with two chairs at most.", None, 2),
+        ("A room with two chairs at the very least and a table.", 2, None),
+        ("Two chairs or fewer.", None, 2),
+        ("Two chairs maximum.", None, 2),
+        ("Some chairs, two at most.", None, 2),
+    ],
+)
+def test_what_bounds_a_number_may_come_after_it(prompt: str, least: int | None, most: int | None) -> None:
+    brief = read_brief(prompt)
+    assert [(r.count, r.least, r.most) for r in brief.requests if r.category == "chair"] == [(2, least, most)]
+    assert brief.unknown == ()
+
+
+def test_not_too_many_are_some() -> None:
+    brief = read_brief("A room with not too many plants and a bench, but don't overdo it.")
+    assert brief.excluded == brief.unknown == ()
+    assert {r.category for r in brief.requests} == {"plant", "bench"}
+
+
+def test_what_is_asked_about_is_as_is_answered() -> None:
+    assert looks("The table? It should be round. And the chairs? Wooden, please.", "chair") == {"wooden": 4}
+    assert looks("A sofa and two chairs. The chairs? Green and by the window.", "chair") == {"green": 2}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "chairs"),
+    [("Neither of the two chairs has a cushion.", 2), ("None of the four chairs has a cushion on it.", 4)],
+)
+def test_what_none_of_those_has_that_nobody_named_is_not_there(prompt: str, chairs: int) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"chair": chairs}
+    assert brief.excluded == ("pillow",)
+    assert brief.unknown == ()
+
+
+def test_what_has_no_drawers_bars_no_dresser() -> None:
+    brief = read_brief("A nightstand without drawers.")
+    assert brief.excluded == ()
+    assert brief.request("nightstand").unshown == ("without drawers",)

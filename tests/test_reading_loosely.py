@@ -197,6 +197,10 @@ def test_what_is_to_be_pictured_is_no_picture() -> None:
         ("A blanket is neatly folded on the bed.", "blanket", ("folded",)),
         ("A book lies face down on the bed.", "book", ("face down",)),
         ("The blinds are half closed.", "curtain", ("half closed",)),
+        ("A cereal box stands upright and a milk carton lies on its side.", "milk_carton", ("on its side",)),
+        ("A table with a bottle lying on its side.", "bottle", ("on its side",)),
+        ("There are no objects on the table.", "dining_table", ("empty",)),
+        ("No items on the desk.", "desk", ("empty",)),
     ],
 )
 def test_a_state_told_of_a_part(prompt: str, category: str, states: tuple[str, ...]) -> None:

@@ -236,3 +236,40 @@ def test_the_desk_of_the_teacher_is_none_of_those_of_the_class() -> None:
 def test_students_who_sit_at_desks_do_not_live_there() -> None:
     assert read_brief("Students sit at ten desks.").room_type == "room"
     assert read_brief("A room for a student with a desk.").room_type == "dorm_room"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room"),
+    [
+        ("A classroom with ten desks. The teacher's desk faces the students.", "classroom"),
+        ("A classroom with three rows of desks and the teacher's desk at the front, facing the class.", "classroom"),
+    ],
+)
+def test_who_faces_people_faces_where_they_sit(prompt: str, room: str) -> None:
+    brief = read_brief(prompt)
+    assert ("desk", "facing", ("school_desk",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+    assert brief.room_type == room
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "untold"),
+    [
+        ("The desk faces the students.", "faces the students"),
+        ("A lectern facing the audience.", "facing the audience"),
+        ("A classroom with desks facing the teacher.", "facing the teacher"),
+    ],
+)
+def test_people_who_sit_nowhere_are_not_faced(prompt: str, untold: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.unknown == (untold,)
+    assert brief.room_type in ("room", "classroom")
+
+
+def test_two_things_in_two_places_are_not_doubted() -> None:
+    brief = read_brief("The cups are on the tray and the plates are on the table.")
+    assert {(r.subject, r.kind, r.anchors) for r in brief.relations if r.asked} == {
+        ("cup", "on", ("tray",)),
+        ("plate", "on", ("dining_table",)),
+    }
+    assert brief.unknown == ()

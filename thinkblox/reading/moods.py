@@ -18,6 +18,8 @@ _NEGATIONS = frozenset(
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "his", "her", "their", "some", "old", "little", "two"})
 _HOUSEHOLD = 5
 """More people than this use a room, and do not live in it."""
+_FACING = ("the", "facing", "face", "faces")
+"""What comes before those who are in a room and not whom it is for."""
 _SEATED = ("sit", "sitting", "learn", "listen")
 """What several do who only come to a room."""
 _IDLE = ("filler", "not_understood", "requested")
@@ -130,6 +132,7 @@ def _is_crowd(draft: Draft, words: tuple[Word, ...], found: Found) -> bool:
     """Whether it is who the room is for, too many to live there: "a lab for 20 students", "students sit in pairs"."""
     plural = found.end - found.start == 1 and words[found.start].text.lower().endswith("s")
     seated = found.end < len(words) and words[found.end].text.lower() in _SEATED
+    seated |= found.start > 0 and words[found.start - 1].text.lower() in _FACING
     return plural and (seated or draft.people > _HOUSEHOLD)
 
 

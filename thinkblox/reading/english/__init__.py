@@ -33,6 +33,7 @@ from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.each_of_which import with_each_of_which
 from thinkblox.reading.english.elisions import with_counts, with_nouns
+from thinkblox.reading.english.facing_people import with_facing_people
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.fronted import with_fronted
 from thinkblox.reading.english.goals import with_goals
@@ -214,6 +215,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_things_between,
         with_ones_apart,
         with_wholes,
+        with_facing_people,
         with_potted,
         with_goals,
         with_tasks,

@@ -30,7 +30,8 @@ def with_answers(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_alone(found: Sequence[Chunk]) -> bool:
     """Whether the last chunk begins a sentence, fillers aside."""
-    before = next((chunk for chunk in islice(reversed(found), 1, None) if not is_link(chunk, "fillers")), None)
+    said = (c for c in islice(reversed(found), 1, None) if not (is_link(c, "fillers") or is_link(c, "joins", "and")))
+    before = next(said, None)
     return before is None or is_link(before, "mark", "stop", "semicolon", "colon")
 
 
@@ -52,7 +53,7 @@ def _answered(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[Noun, int]
         if bare and (ends or (asked and placed)):
             counted = replace(thing, count=after.count, plural=after.count > 1, end=after.end)
             return counted, end + 1 + (comma and placed)
-    if after is not None and (_places(after) if asked else isinstance(after, Adjective)):
+    if after is not None and ((asked and _places(after)) or isinstance(after, Adjective)):
         return thing, end
     return thing, at
 

@@ -35,7 +35,7 @@ class Corrections(Pronouns):
         thing.count = noun.count if noun.count is not None else (None if noun.plural else 1)
         thing.plural, thing.least, thing.most = noun.plural or (noun.count or 1) > 1, noun.least, noun.most
         if noun.kind == "thing":
-            thing.noun, thing.text = noun.value, noun.text
+            thing.noun, thing.text, thing.called = noun.value, noun.text, noun.called
             self.named_by[thing] = noun
         if not self.frontier:
             self.clause.members.append(thing)

@@ -6,6 +6,13 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
 from thinkblox.reading.english.said import is_link
 
+_BOUNDS = {
+    **dict.fromkeys(("at most", "at the most", "at the very most", "or fewer", "or less", "maximum", "max"), "most"),
+    **dict.fromkeys(("at least", "at the least", "at the very least", "minimum"), "least"),
+}
+"""What bounds a number that comes before it."""
+_LONGEST = 3
+"""Most chunks of that."""
 _SIDES = ("each", "either", "both")
 
 
@@ -19,6 +26,10 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
         if number and isinstance(thing, Noun) and thing.kind == "thing" and thing.count is None and not thing.definite:
             made[-1] = replace(thing, count=number, plural=number > 1)
             at += 3
+        elif isinstance(thing, Noun) and (bound := _bound(thing, chunks, at)):
+            most = bound[0] == "most"
+            made[-1] = replace(thing, most=thing.count) if most else replace(thing, least=thing.count)
+            at += bound[1]
         elif _is_both_sides(chunks, at):
             at += 2
         elif _is_measuring(chunks, at):
@@ -28,6 +39,20 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunks[at])
             at += 1
     return made
+
+
+def _bound(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[str, int] | None:
+    """Whether "at most", "at the very least", "or fewer", "maximum" bounds a number before it, and its chunks."""
+    if not thing.count or thing.least is not None or thing.most is not None or thing.vague or thing.definite:
+        return None
+    led = is_link(chunks[at], "prepositions", "at") or is_link(chunks[at], "joins", "or")
+    end, words = at, ""
+    while end < len(chunks) and end - at < _LONGEST and not is_link(chunks[end], "mark"):
+        words = f"{words} {getattr(chunks[end], 'text', '')}".strip().lower()
+        end += 1
+        if (led or end - at == 1) and words in _BOUNDS:
+            return _BOUNDS[words], end - at
+    return None
 
 
 def _is_measuring(chunks: Sequence[Chunk], at: int) -> bool:

@@ -54,7 +54,9 @@ class Heads(Modifiers):
             return
         whole = nouns[-2].known if len(nouns) > 1 and last.text.lower() in grammar().lists["parts"] else None
         if whole is not None and whole.entry.sort == "object":
+            plural = noun.plural
             self._known_head(noun, whole)
+            noun.plural = plural if nouns[-2].owner else noun.plural
             noun.within = True
             return
         if self._is_columns(noun, nouns):

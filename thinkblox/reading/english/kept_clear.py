@@ -84,7 +84,9 @@ def _nothing_on(chunks: Sequence[Chunk], at: int) -> int:
 
 
 def _is_nothing(chunk: Chunk) -> bool:
-    """Whether it is "nothing", rather than "nothing else"."""
+    """Whether it is "nothing", rather than "nothing else", or "no objects"."""
+    if isinstance(chunk, Noun) and chunk.det == "no" and chunk.kind in ("abstract", "thing"):
+        return chunk.word in ("object", "item", "thing", "stuff") and not chunk.attributes
     return isinstance(chunk, Connector) and chunk.sort == "negations" and chunk.text.lower() == "nothing"
 
 
@@ -97,7 +99,7 @@ def _emptied(chunks: Sequence[Chunk], at: int, length: int) -> list[Chunk]:
     """What is said to have nothing on it, said to be empty."""
     first, last = chunks[at], chunks[at + length - 1]
     assert isinstance(last, Noun)
-    if isinstance(first, Noun) and first is not last:
+    if isinstance(first, Noun) and first is not last and not _is_nothing(first):
         rest = Connector("fillers", "words", first.end, last.end, "nothing on it")
         return [replace(first, states=[*first.states, _EMPTY]), rest]
     be = Connector("verbs", "be", last.end, last.end, "is")

@@ -38,6 +38,8 @@ def _whole_of(chunks: Sequence[Chunk], at: int) -> tuple[list[Chunk], int]:
         return [], 0
     if not isinstance(whole, Noun) or whole.kind != "thing" or not counted:
         return [], 0
+    if is_link(chunks[at + length] if at + length < len(chunks) else None, "verbs", "hold"):
+        return [replace(whole, start=first.start)], length
     end = at + length + _being(chunks, at + length)
     look = chunks[end] if end < len(chunks) else None
     if not isinstance(look, Adjective) or (

@@ -312,7 +312,20 @@ class Negation(Positions):
             self._go_past(noun)
             self._lose(noun.start - 1, noun.end)
             return
+        if isinstance(noun, Noun) and self._is_missing_part(noun):
+            return
         self.excluding = True
+
+    def _is_missing_part(self, noun: Noun) -> bool:
+        """Say of "a nightstand without drawers" that we do not see to it: no dresser is barred."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        part = noun.kind == "thing" and noun.word in grammar().lists["features"] and not noun.definite
+        if thing is None or not part or not isinstance(self._before(), Noun):
+            return False
+        self._spend(noun)
+        self._go_past(noun)
+        thing.unshown.append(f"without {noun.text.lower()}")
+        return True
 
     def _has_own_place(self) -> bool:
         """Whether a place after what is barred is its own, not that of what lacks it: "no lamp on the desk"."""

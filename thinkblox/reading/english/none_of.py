@@ -20,6 +20,8 @@ def with_none_of(chunks: Sequence[Chunk]) -> list[Chunk]:
         told = isinstance(several, Noun) and is_link(has, "verbs", *_HAVING) and isinstance(what, Noun)
         if told and isinstance(several, Noun) and isinstance(what, Noun) and _have_none(chunks, at, several, what):
             others = [*chunks[:at], *chunks[at + _LENGTH :]]
+            if several.det == "none" and not _is_named(several, others):
+                made += [_asked(several), Connector("mark", "stop", several.end, several.end, ".")]
             made += _none(several, what, others, comma=bool(made) and is_link(made[-1], "mark", "comma"))
             at += _LENGTH + _on_it(chunks, at + _LENGTH)
         else:
@@ -41,7 +43,13 @@ def _have_none(chunks: Sequence[Chunk], at: int, several: Noun, what: Noun) -> b
     if opening or several.kind == "pronoun":
         return not opening and several.value == "none"
     others = [*chunks[:at], *chunks[at + _LENGTH :]]
-    return several.kind == "thing" and several.det in _NONE and _is_named(several, others)
+    return several.kind == "thing" and several.det in _NONE and (several.det == "none" or _is_named(several, others))
+
+
+def _asked(several: Noun) -> Noun:
+    """The two chairs of "neither of the two chairs", which nobody named before."""
+    text = " ".join(several.text.split()[2:])
+    return replace(several, det="" if several.count else "the", of_known=False, text=text)
 
 
 def _on_it(chunks: Sequence[Chunk], at: int) -> int:

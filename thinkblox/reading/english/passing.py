@@ -19,6 +19,8 @@ _FOR = 3
 """How many chunks after "use" it is said what for."""
 _TURNED = 3
 """How many chunks before "toward" it is said what a thing faces away from."""
+_LYING = ("lies", "lie", "lying", "lay", "laid", "rests", "resting", "is lying", "are lying", "tipped", "turned")
+"""What says that a thing lies, before which of its sides that is on."""
 _LEANING = ("leans", "lean", "leaning")
 
 
@@ -42,8 +44,8 @@ def with_passing(chunks: Sequence[Chunk]) -> list[Chunk]:
         chunk = chunks[at]
         if _is_own_door(chunks, at):
             made.append(Noun("pronoun", "it", chunk.start, chunk.end, "it"))
-        elif _is_tucked(chunks, at):
-            made.append(Adjective(chunk.start, chunks[at + 1].end, _TUCKED, states=[_TUCKED]))
+        elif state := _lying_state(chunks, at):
+            made.append(Adjective(chunk.start, chunks[at + 1].end, state, states=[state]))
             at += 1
         elif length := _not_understood(chunks, at):
             words = " ".join(getattr(c, "text", "") for c in chunks[at : at + length])
@@ -85,7 +87,16 @@ def _without_making(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _where_meant(link: Connector, chunks: Sequence[Chunk], at: int) -> str:
     """What a preposition stands for after what was said before it; empty where it is what it is."""
+    if _is_hung_from(link, chunks, at):
+        return "on"
     return "next_to" if _is_leant_on(chunks, at) else "facing" if _is_turned_to(link, chunks, at) else ""
+
+
+def _is_hung_from(link: Connector, chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether something "hangs from" a hook or a rack, which it is on."""
+    hook = chunks[at + 1] if at + 1 < len(chunks) else None
+    hung = at > 0 and (is_link(chunks[at - 1], "verbs", "hang") or is_link(chunks[at - 1], "participles", "hang"))
+    return hung and link.value == "from" and isinstance(hook, Noun) and hook.kind == "thing"
 
 
 def _is_turned_to(link: Connector, chunks: Sequence[Chunk], at: int) -> bool:
@@ -120,6 +131,24 @@ def _is_own_door(chunks: Sequence[Chunk], at: int) -> bool:
     if not told or not isinstance(state, Adjective) or not state.states:
         return False
     return at > 0 and (is_link(chunks[at - 1], "joins") or is_link(chunks[at - 1], "mark"))
+
+
+def _lying_state(chunks: Sequence[Chunk], at: int) -> str:
+    """How a thing is said to be by "tucked in", or by "on its side" after "lies"; empty where neither comes."""
+    if _is_on_its_side(chunks, at):
+        return f"on {str(getattr(chunks[at + 1], 'text', '')).lower()}"
+    return _TUCKED if _is_tucked(chunks, at) else ""
+
+
+def _is_on_its_side(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "on its side" comes after "lies", which tells how a thing lies and not where."""
+    lies, side = chunks[at - 1] if at else None, chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunks[at + 2] if at + 2 < len(chunks) else None
+    if not is_link(chunks[at], "prepositions", "on") or not isinstance(side, Noun) or side.kind != "part":
+        return False
+    lying = isinstance(lies, Connector) and lies.sort in ("verbs", "participles") and lies.text.lower() in _LYING
+    own = side.det == "my" and side.word in ("side", "back", "edge") and not is_link(after, "prepositions", "of")
+    return lying and own
 
 
 def _is_tucked(chunks: Sequence[Chunk], at: int) -> bool:

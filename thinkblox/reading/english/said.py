@@ -256,7 +256,8 @@ def _joined(said: Sequence[Chunk], at: int, *, named: bool) -> Iterator[Noun]:
     """What the noun at `at` is joined to without a comma."""
     while at > 1 and (_link(said, at - 1, "joins", "and") or (named and is_having(said[at - 1]))):
         at -= 2
-        if (noun := _noun(said, at)) is None:
+        before = said[at - 1] if at > 0 else None
+        if (noun := _noun(said, at)) is None or (isinstance(before, Connector) and is_spatial(before)):
             return
         yield noun
 

@@ -161,6 +161,7 @@ class Subjects(Having):
         side, sided = where.noun, self.meanings.sided
         its = side is not None and side.kind == "part" and side.det == "my" and where.whole is None
         across = side is not None and sided is not None and {side.value, sided[0]} == {"left", "right"}
+        across &= frame.head is None or sided is None or sided[1] not in frame.head.things
         return its and across and self._is_held(thing, frame) and not frame.each
 
     def _is_said_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
