@@ -308,6 +308,9 @@ def test_triplets_with_three_beds_have_three() -> None:
     assert {r.category: r.count for r in brief.requests if r.asked} == {"bed": 3, "pillow": 3}
 
 
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
         ("A plate with a fork on its left and a knife on its right.", "1 fork left_of plate, 1 knife right_of plate"),
         ("A tray with a cup to its right and a bowl to its left.", "1 cup right_of tray, 1 bowl left_of tray"),
         ("A mug hangs from a mug tree.", "1 cup on mug_tree"),
