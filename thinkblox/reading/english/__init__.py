@@ -71,6 +71,7 @@ from thinkblox.reading.english.respectively import with_respective
 from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.roughly import with_rough
+from thinkblox.reading.english.seats_joined import with_seats_joined
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.slips import meant_by
@@ -249,6 +250,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_ones_apart,
         with_wholes,
         with_facing_people,
+        with_seats_joined,
         with_potted,
         with_goals,
         with_tasks,
