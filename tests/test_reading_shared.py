@@ -885,3 +885,16 @@ def test_so_many_desks_and_chairs_are_desks_with_chairs(prompt: str, counts: dic
     things, relations = told(prompt)
     assert things == counts
     assert relations == {relation}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A plant in two corners and a lamp in the other two.", {"plant": 2, "floor_lamp": 2}),
+        ("A sofa on one wall and shelves on the other three walls.", {"sofa": 1, "wall_shelf": 3}),
+        ("Each student has a desk with a laptop. There are eight students.", {"desk": 8, "laptop": 8}),
+        ("Each child has a bed and a desk. There are three children.", {"bed": 3, "desk": 3}),
+    ],
+)
+def test_what_other_words_count_is_counted(prompt: str, counts: dict[str, int]) -> None:
+    assert told(prompt)[0] == counts

@@ -80,6 +80,7 @@ from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.told_apart import with_told_apart
+from thinkblox.reading.english.told_later import with_told_later
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.ways import with_ways
@@ -250,6 +251,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_ones_apart,
         with_wholes,
         with_facing_people,
+        with_told_later,
         with_seats_joined,
         with_potted,
         with_goals,
