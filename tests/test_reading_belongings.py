@@ -322,3 +322,32 @@ def test_triplets_with_three_beds_have_three() -> None:
 def test_what_is_beside_on_and_in_small_things_and_drawers(prompt: str, relations: str) -> None:
     assert related(read_brief(prompt)) == set(relations.split(", "))
     assert read_brief(prompt).unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "The left side of the desk has a lamp, the right side a phone.",
+            "1 desk_lamp on desk, 1 desk_lamp left_of desk, 1 phone on desk, 1 phone right_of desk",
+        ),
+        (
+            "A lamp on the left and a plant on the right of the sofa.",
+            "1 floor_lamp left_of sofa, 1 plant right_of sofa",
+        ),
+        (
+            "A bed on the left and a desk on the right.",
+            "1 bed against_wall left_wall, 1 desk against_wall right_wall",
+        ),
+        ("Four chairs, one on each side of the table.", "4 chair around dining_table"),
+        ("A table with four chairs, one on each side.", "4 chair around dining_table"),
+        ("Eight chairs around a table, two on each side.", "8 chair around dining_table"),
+        (
+            "A bathroom with two sinks, each with a mirror above it and a cabinet below.",
+            "2 mirror above washbasin, 2 cabinet under washbasin",
+        ),
+    ],
+)
+def test_both_sides_and_all_sides_have_what_is_told_of_them(prompt: str, relations: str) -> None:
+    assert related(read_brief(prompt)) == set(relations.split(", "))
+    assert read_brief(prompt).unknown == ()

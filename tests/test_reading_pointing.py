@@ -101,3 +101,23 @@ def test_what_nobody_puts_on_a_bed_is_on_what_stands_beside_it(prompt: str, rela
     brief = read_brief(prompt)
     assert relation in {(r.subject, r.kind, r.anchors[0]) for r in brief.relations}
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A dining table. Around it are six chairs, each with a cushion. On it is a vase.",
+        "A dining table with six chairs, each with a cushion on it. A vase stands on it.",
+    ],
+)
+def test_it_is_none_of_several_that_a_sentence_before_told_of_each(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert ("vase", "on", ("dining_table",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+    assert brief.unknown == ()
+
+
+def test_these_stand_somewhere() -> None:
+    brief = read_brief("A wardrobe and a dresser. These stand side by side against the left wall.")
+    assert {r.category for r in brief.requests if r.asked} == {"wardrobe", "dresser"}
+    assert ("dresser", "next_to", ("wardrobe",)) in {(r.subject, r.kind, r.anchors) for r in brief.relations}
+    assert brief.unknown == ()

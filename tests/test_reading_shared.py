@@ -962,3 +962,34 @@ def test_what_is_a_step_away_is_not_far(prompt: str, kind: str) -> None:
     brief = read_brief(prompt)
     assert [r.kind for r in brief.relations if r.asked] == [kind]
     assert len(brief.unknown) == 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "relation"),
+    [
+        ("A classroom with 20 desks and chairs.", {"school_desk": 20, "chair": 20}, "chair at school_desk each"),
+        (
+            "A classroom with 20 desks and chairs and a teacher's desk.",
+            {"school_desk": 20, "chair": 20, "desk": 1},
+            "chair at school_desk each",
+        ),
+        ("A room with six tables and chairs.", {"dining_table": 6, "chair": 24}, "chair around dining_table each"),
+    ],
+)
+def test_so_many_desks_and_chairs_are_desks_with_chairs(prompt: str, counts: dict[str, int], relation: str) -> None:
+    things, relations = told(prompt)
+    assert things == counts
+    assert relations == {relation}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A plant in two corners and a lamp in the other two.", {"plant": 2, "floor_lamp": 2}),
+        ("A sofa on one wall and shelves on the other three walls.", {"sofa": 1, "wall_shelf": 3}),
+        ("Each student has a desk with a laptop. There are eight students.", {"desk": 8, "laptop": 8}),
+        ("Each child has a bed and a desk. There are three children.", {"bed": 3, "desk": 3}),
+    ],
+)
+def test_what_other_words_count_is_counted(prompt: str, counts: dict[str, int]) -> None:
+    assert told(prompt)[0] == counts

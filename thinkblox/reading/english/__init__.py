@@ -76,6 +76,7 @@ from thinkblox.reading.english.rewording import reworded
 from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
+from thinkblox.reading.english.seats_joined import with_seats_joined
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.short_names import with_short_names
@@ -85,6 +86,7 @@ from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.told_apart import with_told_apart
+from thinkblox.reading.english.told_later import with_told_later
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.english.totals import with_totals
 from thinkblox.reading.english.two_colours import with_two_colours
@@ -216,6 +218,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_ones_apart,
         with_wholes,
         with_facing_people,
+        with_told_later,
+        with_seats_joined,
         with_potted,
         with_goals,
         with_tasks,

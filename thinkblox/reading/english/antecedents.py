@@ -256,7 +256,8 @@ class Antecedents:
 
     def _is_one(self, thing: Mention, named: Occurrence, own: Occurrence | None, seen: Survey) -> bool:
         """Whether "it" may be said of a thing: of one, or of each of several."""
-        if named.noun.start in seen.spread or thing in self._referents.shared or thing.rows or thing.groups:
+        shared = named.noun.start in seen.spread or thing in self._referents.shared
+        if (shared and named.sentence == seen.sentence) or thing.rows or thing.groups:
             return True
         if own is not None and named.noun in own.owners and (named.noun.each or own.noun.each):
             return True

@@ -12,6 +12,7 @@ from thinkblox.reading.english.verbs import Verbs
 _SIDES = ("in_front_of", "behind", "left_of", "right_of", "under", "above", "opposite")
 """Relations that one thing can have to another one at a time."""
 
+_SIDES_OF_TABLE = 4
 _RECENT = 20
 """So many relations back, at most, something was said to be on each of several."""
 
@@ -405,10 +406,7 @@ class Numbers(Verbs):
 
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
-        if self.excepting and (whole.count or 0) > count:
-            self.excepting, said = False, self._before(2)
-            self._except(whole, count)
-            self._unlook(self.frontier[-1].things[-1], said)
+        if self._leaves_out(whole, count) or self._sit_all_around(whole, count, noun):
             return
         times = self._times_next()
         if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
@@ -444,6 +442,35 @@ class Numbers(Verbs):
         else:
             part = self.referents.part(whole, min(total, whole.count or total))
         self._speak_of_part(part, noun)
+
+    def _leaves_out(self, whole: Mention, count: int) -> bool:
+        """Set apart those of which what was said of all is not true, where that is what is told."""
+        if not self.excepting or (whole.count or 0) <= count:
+            return False
+        self.excepting, said = False, self._before(2)
+        self._except(whole, count)
+        self._unlook(self.frontier[-1].things[-1], said)
+        return True
+
+    def _sit_all_around(self, whole: Mention, count: int, noun: Noun | None) -> bool:
+        """Read "four chairs, one on each side of the table", which has four, as chairs around it."""
+        side, of = self._next_noun(1), self.peek(2)
+        each = side is not None and side.kind == "part" and side.value == "side" and side.det == "each"
+        seats = self.habits.is_in(whole.noun, "seats", "chairs") and whole.count == _SIDES_OF_TABLE * count
+        placed = {b.kind for b in self.draft.bonds_of(whole)}
+        if not each or not seats or not self._is_link(self.peek(), "prepositions", "on", "at"):
+            return False
+        if side is None or "side" not in side.text.lower().split() or not placed <= {"around", "at"}:
+            return False
+        told = self._is_link(of, "prepositions", "of")
+        if not (placed or told):
+            return False
+        self.numbers.add(count)
+        link = self.chunks[self.at]
+        around = [Connector("prepositions", "around", link.start, side.end, "around")] if told else []
+        self.chunks[self.at : self.at + 2 + told] = around
+        self._resume([whole], noun or Noun("number", "", -1, -1))
+        return True
 
     def _is_at_other_sides(self, whole: Mention) -> bool:
         """Whether those at the ends of a table are told of after those at its long sides, or the other way round."""

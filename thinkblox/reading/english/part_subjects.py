@@ -10,12 +10,16 @@ from thinkblox.reading.english.said import is_link
 _TURNED = ("head", "back", "foot", "front")
 _SIDES = ("side", "end", "long_side", "short_side", "left", "right", "top", "middle")
 _BOTH, _WITH = ("each", "either", "both"), ("prepositions", "with")
+_OTHER = {"left": "right", "right": "left", "front": "back", "back": "front"}
+_HAVING = ("have", "hold", "carry")
+_PAIR = 9
+"""So many chunks tell of two things at both sides of a third."""
 _PLACED = ("against", "facing", "to", "near", "next_to", "by")
 
 
 def with_part_subjects(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a thing stands as a part of it is said to, and what its sides have is at these."""
-    made = _with_ends(chunks)
+    made = _with_whole_told_later(_with_other_side(_with_ends(chunks)))
     for at in range(len(made) - 1, -1, -1):
         begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and")
         part = made[at]
@@ -46,6 +50,55 @@ def _with_ends(chunks: Sequence[Chunk]) -> list[Chunk]:
         small = isinstance(thing, Noun) and load_habits().is_in(thing.value, "small")
         if both and leant and small and isinstance(link, Connector) and isinstance(end, Noun):
             made[at], made[at + 1] = replace(link, value="on"), replace(end, value="side")
+    return made
+
+
+def _with_other_side(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with what is left out: "the left side of the desk has a lamp, the right side a phone"."""
+    made: list[Chunk] = []
+    whole: Noun | None = None
+    verb: Connector | None = None
+    for at, chunk in enumerate(chunks):
+        made.append(chunk)
+        if is_link(chunk, "mark", "stop", "semicolon"):
+            whole = None
+        elif isinstance(chunk, Noun) and chunk.kind == "part" and chunk.value in _OTHER:
+            owner, length = _whole(chunks, at) if chunk.owner == "" else (None, 0)
+            having = chunks[at + length] if owner is not None and at + length < len(chunks) else None
+            after = chunks[at + 1] if at + 1 < len(chunks) else None
+            if owner is not None and isinstance(having, Connector) and is_link(having, "verbs", *_HAVING):
+                whole, verb = owner, having
+            elif whole is not None and verb is not None and _is_new(after, chunks[at - 1]):
+                made += [*_of(whole, chunk.end), replace(verb, start=chunk.end, end=chunk.end)]
+    return made
+
+
+def _is_new(after: Chunk | None, before: Chunk) -> bool:
+    """Whether a part begins a clause without a verb, and what is there comes next."""
+    begins = is_link(before, "mark", "comma") or is_link(before, "joins", "and")
+    return begins and isinstance(after, Noun) and after.kind == "thing" and not after.definite
+
+
+def _of(whole: Noun, at: int) -> list[Chunk]:
+    known = replace(whole, start=at, end=at, det="the", text=f"the {whole.text.split()[-1]}")
+    return [Connector("prepositions", "of", at, at, "of"), known]
+
+
+def _with_whole_told_later(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with both wholes for "a lamp on the left and a plant on the right of the sofa"."""
+    made = list(chunks)
+    for at in range(len(made) - _PAIR, -1, -1):
+        one, link, side, joint, other, again, across, of, whole = made[at : at + _PAIR]
+        sides = isinstance(side, Noun) and isinstance(across, Noun) and _OTHER.get(side.value) == across.value
+        placed = is_link(link, "prepositions", "on", "at", "to") and is_link(again, "prepositions", "on", "at", "to")
+        things = all(isinstance(noun, Noun) and noun.kind == "thing" for noun in (one, other, whole))
+        if not (sides and placed and things and is_link(joint, "joins", "and") and is_link(of, "prepositions", "of")):
+            continue
+        assert isinstance(whole, Noun)
+        assert isinstance(side, Noun)
+        first = replace(whole, start=side.end, end=side.end)
+        made[at + _PAIR - 1] = replace(whole, det="the", text=f"the {whole.text.split()[-1]}")
+        made[at + 3 : at + 3] = [Connector("prepositions", "of", side.end, side.end, "of"), first]
     return made
 
 

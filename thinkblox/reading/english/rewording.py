@@ -15,6 +15,7 @@ _AT = ("at", "on", "for")
 _SEATS = {"places": "place", "seats": "seat", "settings": "setting"}
 _PARTED = (["low", "hanging"], ["high", "hanging"])
 """Words that are read as two, also where a hyphen joins them."""
+_SEVERAL = ("these", "those", "both", "all", "they")
 _NO_PLACE = ("of", "for", "with", "without", "as", "per", "to", "from")
 """Prepositions that say nothing of where things are."""
 _SHORTEST, _LONGEST = 3, 6
@@ -42,8 +43,8 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "per"
         elif word == "all" and before in _AT and after[:1] and after[0] in _SEATS:
             read[at : at + 2] = ["every", _SEATS[after[0]]]
-        elif word == "stand" and (_is_verb_of_each(tokens, at) or _is_verb_of_two(tokens, at)):
-            read[at] = "stands"
+        elif word == "stand" and (verb := _verb(tokens, at)):
+            read[at] = verb
         elif word == "light" and before not in _ONE and after[:1] and after[0] in grammar().lists["shines"]:
             read[at] = "daylight"
     parted = [words[at : at + 2] in _PARTED for at in range(len(words))]
@@ -51,6 +52,18 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
         for token, new, apart in zip(tokens, read, parted, strict=True)
     ]
+
+
+def _verb(tokens: Sequence[Token], at: int) -> str:
+    """The verb that "stand" is read as; empty where it may be a thing."""
+    if at and tokens[at - 1].text in _SEVERAL and _goes_on(tokens, at + 1):
+        return "are"
+    return "stands" if _is_verb_of_each(tokens, at) or _is_verb_of_two(tokens, at) else ""
+
+
+def _goes_on(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is told where or how several stand."""
+    return at < len(tokens) and grammar().at(tokens, at, "prepositions", "mutual", "fillers") is not None
 
 
 def _is_verb_of_each(tokens: Sequence[Token], at: int) -> bool:

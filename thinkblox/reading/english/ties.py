@@ -54,6 +54,9 @@ class Ties(Relating):
         head = frame.head.thing if frame.head is not None else None
         if head is None or not is_small(head) or frame.kind not in _HELD:
             return False
+        stands = self._is_link(self.peek(), "prepositions", "under")
+        if stands and frame.each and (self._next_noun(1) is None or self._is_told_by_pronoun()):
+            return False
         if self._is_told_by_pronoun():
             return frame.each and is_furniture(thing) and not self.habits.is_in(thing.noun, "lamps")
         if self.habits.is_in(thing.noun, "covers"):
