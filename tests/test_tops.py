@@ -390,6 +390,15 @@ def test_what_is_kept_on_a_tall_bookcase_stands_at_hand() -> None:
     assert 0.5 < done.scene["globe_1"].position[2] < 1.6
 
 
+def test_what_is_asked_on_a_cabinet_comes_before_a_sink_that_is_only_assumed() -> None:
+    done = room(
+        "Office kitchenette for a drawer-opening benchmark: a base cabinet with three drawers, a microwave on top of "
+        "it with a mug inside, a refrigerator to the right of the cabinet, and a trash can and a recycling bin next to "
+        "each other. Mop bucket in the corner."
+    )
+    assert done.scene["microwave_1"].support.startswith("base_cabinet")
+
+
 @pytest.mark.slow
 def test_a_sink_under_a_window_stays_on_its_cabinet() -> None:
     done = generate_room(

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.things import counts_as
+from thinkblox.knowledge.things import counts_as, is_surface
 from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
@@ -172,6 +172,7 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
             companion=_companion(member, members),
             belongs=_belongs_beside(member, members),
             before=_lain_before(member, members),
+            let_in=_is_let_in(member, members),
         )
         for number, member in enumerate(members.all)
     }
@@ -322,6 +323,14 @@ def _companion(member: Member, members: Members) -> Member | None:
     return next(iter(members.of_category(companion.category)), None)
 
 
+def _is_let_in(member: Member, members: Members) -> bool:
+    """Whether it is let into a worktop before others stand on this: asked, or in a top rather than one of cabinets."""
+    if not facts_of(member.category).is_in("built_in") or member.mount != "surface":
+        return False
+    carriers = (members.by_id[a] for tie in member.ties for a in tie.anchors if a in members.by_id)
+    return member.request.asked or any(is_surface(carrier.request.called) for carrier in carriers)
+
+
 def _rank(
     member: Member,
     number: int,
@@ -331,12 +340,13 @@ def _rank(
     companion: Member | None,
     belongs: bool,
     before: float,
+    let_in: bool,
 ) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
 
     What stands before a run, or is one with a counter, comes with it.
     """
-    wall, built_in = _is_wall_wide(member), facts_of(member.category).is_in("built_in") and member.mount == "surface"
+    wall = _is_wall_wide(member)
     stage = 0 if wall else 2 if member.flat else _STAGES[member.mount]
     dependent = _is_dependent(member) and not with_anchor
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
@@ -348,7 +358,7 @@ def _rank(
     weight += _COUNTER_BONUS * (stage == 0 and (case or load_habits().is_in(member.category, "served_over")))
     weight += _OVER_BONUS * _is_over(member)
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
-    weight += _BUILT_IN_BONUS * built_in
+    weight += _BUILT_IN_BONUS * let_in
     weight += _COMPANION_BONUS * (companion is not None) + _BESIDE_BONUS * belongs
-    late = arranged and not (built_in or any(m.request.asked for m in (member, companion) if m is not None))
+    late = arranged and not (let_in or any(m.request.asked for m in (member, companion) if m is not None))
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)
