@@ -202,3 +202,10 @@ def test_the_near_edge_is_of_the_desk_that_was_named() -> None:
         (r.subject, r.kind, r.anchors) for r in brief.relations
     }
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize("where", ["in each corner", "at each corner of the table", "on each corner"])
+def test_each_corner_of_a_table_has_one_and_there_is_one_table(where: str) -> None:
+    brief = read_brief(f"A table with a bottle {where}.")
+    assert _asked(brief) == "4 bottle, 1 dining_table"
+    assert brief.unknown == (where,)

@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.said import is_link
 
 _CARRIED = 4
 """How many chunks before its place a thing is that carries another."""
+_CORNERED = 5
+"""So many chunks tell what a thing has in each of its corners."""
 _NEAR = ("on", "near", "along", "at", "by", "next_to", "against")
 _EDGES = ("edge", "rim", "end")
 _SIDES = {"left_wall": "left", "right_wall": "right", "far_wall": "back", "near_wall": "front"}
@@ -17,6 +19,7 @@ _SIDES = {"left_wall": "left", "right_wall": "right", "far_wall": "back", "near_
 def with_top_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a corner or an end of the room that is said to be of a thing is a part of that thing."""
     found: list[Chunk] = []
+    chunks = _at_own_corners(chunks)
     for at, chunk in enumerate(chunks):
         owner = found[-1] if found else None
         if isinstance(chunk, Noun) and _is_end(chunk) and isinstance(owner, Noun) and _owns(owner, chunk):
@@ -36,6 +39,32 @@ def with_top_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             found.append(chunk)
     return found
+
+
+def _at_own_corners(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with four bottles for "a table with a bottle in each corner"; where these are is not understood."""
+    made = list(chunks)
+    for at in range(len(made) - _CORNERED, -1, -1):
+        whole, having, small, link, corner = made[at : at + _CORNERED]
+        of, room = (*made[at + _CORNERED : at + _CORNERED + 2], None, None)[:2]
+        had = is_link(having, "prepositions", "with") or is_link(having, "verbs", "have")
+        one = isinstance(whole, Noun) and whole.kind == "thing" and not (whole.many or whole.each)
+        each = isinstance(corner, Noun) and corner.kind == "place" and corner.value == "corner" and corner.each
+        if not (had and one and each) or not isinstance(small, Noun) or small.kind != "thing" or small.many:
+            continue
+        told = is_link(of, "prepositions", "of")
+        if isinstance(corner, Noun) and "room" in corner.text.lower().split():
+            continue
+        if not is_link(link, "prepositions", "in", "at", "on") or (told and not _is_same(room, whole)):
+            continue
+        end = at + _CORNERED + 2 * told
+        text = " ".join(str(getattr(c, "text", "")) for c in made[at + 3 : end])
+        made[at + 2 : end] = [replace(small, det="", count=4, plural=True), Stray(link.start, made[end - 1].end, text)]
+    return made
+
+
+def _is_same(noun: Chunk | None, whole: Chunk) -> bool:
+    return isinstance(noun, Noun) and isinstance(whole, Noun) and (noun.value == whole.value or noun.value == "it")
 
 
 def _is_at_edge(chunks: Sequence[Chunk], at: int) -> bool:
