@@ -258,6 +258,16 @@ def test_what_a_word_for_many_kinds_means_was_named(prompt: str, category: tuple
         ("A teddy bear and a doll. Both toys sit on the bed.", {"teddy_bear", "doll"}, ("on", "bed")),
         ("A bed and a desk. A rug lies between the two pieces.", {"rug"}, ("between", "bed", "desk")),
         (
+            "A washing machine and a dryer. A basket is on each machine.",
+            {"basket"},
+            ("on", "washing_machine", "dryer"),
+        ),
+        (
+            "A treadmill and a rowing machine. Both machines face the mirror.",
+            {"treadmill", "rowing_machine"},
+            ("facing", "mirror"),
+        ),
+        (
             "Three boxes, two crates and a barrel. All six items are along the north wall.",
             {"box", "crate", "barrel"},
             ("against_wall", "north_wall"),

@@ -171,3 +171,18 @@ def test_a_projector_screen_is_no_monitor() -> None:
     brief = read_brief("Two desks, each with a monitor. A lectern stands next to the projector screen.")
     assert {"monitor", "projector_screen"} <= {r.category for r in brief.requests if r.asked}
     assert ("podium", ("projector_screen",)) in {(r.subject, r.anchors) for r in brief.relations if r.asked}
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "A suitcase blocks the way",
+        "A suitcase that blocks the door",
+        "A suitcase obstructs the passage",
+        "A suitcase blocking the window",
+    ],
+)
+def test_what_blocks_the_way_is_no_block(said: str) -> None:
+    brief = read_brief(f"A bedroom with a bed. {said}.")
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"bed": 1, "suitcase": 1}
+    assert brief.unknown == ("in the way",)

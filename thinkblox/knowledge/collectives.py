@@ -34,6 +34,10 @@ class Collective(Value, frozen=True, kw_only=True):
             return True
         return category in _listed(self.things) or (bool(self.groups) and habits.is_in(category, *_listed(self.groups)))
 
+    def names(self, category: str) -> bool:
+        """Whether a category is listed though the word is the end of its name: a washing machine is a machine."""
+        return category in _listed(self.things) and category not in _listed(self.words)
+
 
 def collective(word: str) -> Collective | None:
     """What a word in the singular means, where it is one for things of many kinds."""

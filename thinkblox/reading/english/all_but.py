@@ -40,9 +40,14 @@ def _each_of_both(chunk: Chunk, before: Sequence[Chunk]) -> Chunk:
     single = isinstance(said, Noun) and said.kind == "thing" and said.det == "a" and not said.many
     if not (front or single):
         return chunk
-    if any(isinstance(c, Noun) and (c.kind, c.value) == (chunk.kind, chunk.value) for c in before):
+    if any(isinstance(c, Noun) and c.kind == chunk.kind and _goes_by(c, chunk) for c in before):
         return replace(chunk, det="each", plural=False, text=f"each {chunk.word}")
     return replace(chunk, det="each", count=2, text=f"each of the two {chunk.text.split()[-1]}")
+
+
+def _goes_by(named: Noun, both: Noun) -> bool:
+    """Whether one of both may be what was named: a washing machine is one of "both machines"."""
+    return named.value == both.value or named.word.split()[-1:] == both.word.split()[-1:]
 
 
 def _is_all(noun: Noun) -> bool:

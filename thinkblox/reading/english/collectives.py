@@ -175,7 +175,7 @@ def _candidates(noun: Noun, kinds: Collective, before: Sequence[Chunk], *, lates
             break
         if not isinstance(thing, Noun) or thing.kind != "thing" or thing.det == "no":
             continue
-        if thing.word == noun.word and not thing.among:
+        if thing.word == noun.word and not (thing.among or kinds.names(thing.value)):
             return []
         if not (thing.among or thing.definite or thing.of_known) and kinds.means(thing.value):
             found.append(thing)

@@ -42,6 +42,14 @@ _SO_THAT = re.compile(
     re.IGNORECASE,
 )
 """How a thing is turned, told as what that is for."""
+_IN_WAY = re.compile(
+    r"\b(?<!not )(?<!n't )(?<!without )(?<!avoid )"
+    r"(?:(blocks|obstructs)|(?<=s )(block|obstruct)|(?:(?<=can )|(?<=may )|(?<=should )|(?<=would ))(block|obstruct)|"
+    r"blocking|obstructing) (?:the|its|our|my|one) "
+    r"(?:way|path|passage|view|door|doorway|window|entrance|exit|aisle|walkway|corridor)\b",
+    re.IGNORECASE,
+)
+"""What a thing does to the way or the door, and no block."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -79,6 +87,7 @@ _TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
     (_NEXT, lambda said: "then"),
     (_BOTH_SIDES, lambda said: f"flanked {said[1]}"),
     (_SO_THAT, lambda said: _turned_so(said[1])),
+    (_IN_WAY, lambda said: f"{'is ' if said[1] else 'are ' if said[2] else 'be ' if said[3] else ''}in the way"),
     (_THREE_D, lambda said: ""),
 )
 """What is read as what."""
