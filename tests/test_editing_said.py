@@ -661,7 +661,7 @@ def test_in_between_is_between_what_was_named_before() -> None:
 def test_what_is_too_high_for_a_window_is_told_by_its_figures() -> None:
     before = built(room(), ("bookcase_1", 5.7, 1.5, 180.0, "floor"))
     edit = edit_room(before, "Put the bookcase under the window")
-    assert any("sill of window_1 at 0.90 m" in text for text in edit.failed)
+    assert any("middle of window_1 at 1.50 m" in text for text in edit.failed)
 
 
 def test_none_of_that_but_something_instead() -> None:

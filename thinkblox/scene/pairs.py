@@ -303,9 +303,10 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
 def _below_opening(subject: Landmark, anchor: Landmark) -> Finding:
     """At the wall of a window, before more of it than beside it, and no higher than its lower half."""
     away, share = ground_gap(subject, anchor), _along(subject, anchor)
-    low = subject.top <= (anchor.base + anchor.top) / 2
-    text = f"{gap_text(subject, anchor)}, {share:.0%} along it, top at {subject.top:.2f} m"
-    return low and away <= NEXT_TO + ROUNDING and share >= UNDER_HALF, text
+    middle = (anchor.base + anchor.top) / 2
+    text = f"{gap_text(subject, anchor)}, {share:.0%} along it"
+    text += f", top at {subject.top:.2f} m, middle of {anchor.name} at {middle:.2f} m"
+    return subject.top <= middle and away <= NEXT_TO + ROUNDING and share >= UNDER_HALF, text
 
 
 def _along(subject: Landmark, anchor: Landmark) -> float:
