@@ -240,7 +240,9 @@ PROMPTS = {
     "A laundry room with two washing machines next to each other, a dryer on the right of them, a shelf above the"
     " machines with detergent and a basket.": (
         "2 washing_machine, 1 dryer, 1 wall_shelf, 1 detergent, 1 basket",
-        ("washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine"),
+        (
+            "washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine dryer"
+        ),
         "",
     ),
     "A nursery with a crib against the wall, a rocking chair next to the crib, a small table with a lamp between "
