@@ -241,7 +241,8 @@ PROMPTS = {
     " machines with detergent and a basket.": (
         "2 washing_machine, 1 dryer, 1 wall_shelf, 1 detergent, 1 basket",
         (
-            "washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine dryer"
+            "washing_machine next_to washing_machine, dryer right_of washing_machine, "
+            "wall_shelf above washing_machine dryer"
         ),
         "",
     ),
