@@ -249,9 +249,7 @@ def _leave_middles(members: Members) -> None:
     """What is only asked to be on a thing comes after what is asked to be in the middle of that."""
     for central in members.all:
         tops = {a for tie in central.ties if tie.asked and tie.kind == "in_centre" for a in tie.anchors if is_object(a)}
-        for other in members.all if tops else ():
-            if other.request is not central.request and _tops(other) & tops and not members.depends(central, other):
-                other.waits.add(central.id)
+        _have_wait(members, central, tops, [m.id for m in members.all if m.request is central.request])
 
 
 def _keep_together(members: Members) -> None:
@@ -260,10 +258,15 @@ def _keep_together(members: Members) -> None:
         pairs = [tie.anchors for tie in middle.ties if tie.asked and tie.kind == "between" and len(tie.anchors) == 2]
         for pair in pairs:
             tops = {a for m in (members.by_id.get(p) for p in pair) if m for a in _tops(m)}
-            for other in members.all if tops else ():
-                own = other is middle or other.id in pair or facts_of(other.category).is_in("built_in")
-                if not own and tops & _tops(other) and not members.depends(middle, other):
-                    other.waits.add(middle.id)
+            let_in = [m.id for m in members.all if facts_of(m.category).is_in("built_in")] if tops else []
+            _have_wait(members, middle, tops, [middle.id, *pair, *let_in])
+
+
+def _have_wait(members: Members, first: Member, tops: set[str], besides: Sequence[str]) -> None:
+    """Have all that is on some tops come after one of them, besides those named and what that one itself needs."""
+    for other in members.all if tops else ():
+        if other.id not in besides and tops & _tops(other) and not members.depends(first, other):
+            other.waits.add(first.id)
 
 
 def _tops(member: Member) -> set[str]:

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
-from thinkblox.editing.reading.clause import ENDS, is_count
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.editing.reading.clause import ENDS
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 

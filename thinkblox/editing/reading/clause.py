@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from thinkblox.editing.grammar import longest
-from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
 ENDS = (".", ";", "!", "?", "\n")
@@ -103,10 +102,3 @@ def meant_at(tokens: Sequence[Token], at: int, section: str) -> str:
 def ends_at(tokens: Sequence[Token], at: int) -> bool:
     """Whether an order, or a part of it, ends before a token."""
     return at >= len(tokens) or tokens[at].text in (*ENDS, *LINKS, "please", "now", "away")
-
-
-def is_count(tokens: Sequence[Token], at: int) -> bool:
-    """Whether a number of things is said there."""
-    if at >= len(tokens):
-        return False
-    return tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None

@@ -7,7 +7,7 @@ from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import BRINGS, ENDS, LINKS, TO, WANTS, Clause, ends_at
 from thinkblox.editing.reading.clause_starts import wished_at
 from thinkblox.errors import InputError
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.lexicon import load
 from thinkblox.reading.tokens import Token, tokenise
 
@@ -69,7 +69,7 @@ def turned_about(clause: Clause) -> Clause:
 def _is_counted_only(tokens: Sequence[Token]) -> bool:
     """Whether it says how many there are to be in all: "(I want) only three chairs"."""
     only = len(tokens) > 1 and tokens[0].text in ("only", "just")
-    return only and (tokens[1].kind == "number" or grammar().at(tokens, 1, "count") is not None)
+    return only and is_count(tokens, 1)
 
 
 def given_as(clause: Clause) -> Clause:
@@ -92,7 +92,7 @@ def _laid(clause: Clause) -> Clause | None:
     verb, pointed = clause.text.lower().split(" ", 1)[0], tokens[:1] and tokens[0].text in _LAID
     if verb not in ("set", "lay") or not at or not pointed or len(tokens) < at + 2:
         return None
-    counted = tokens[at + 1].kind == "number" or grammar().at(tokens, at + 1, "count") is not None
+    counted = is_count(tokens, at + 1)
     if tokens[at].text == "with" and (counted or tokens[at + 1].text in ("a", "an", "some")):
         return Clause("add", "", (*tokens[at + 1 :], TO, *tokens[:at]), clause.text)
     people = tokens[at + 2 :] and grammar().knows(tokens[at + 2].text, "people")
@@ -174,9 +174,7 @@ def _seated(clause: Clause) -> Clause:
     if clause.tokens and means("markers", clause.tokens[0].text) == "only":
         clause = replace(clause, tokens=clause.tokens[1:])
         people = people - 1 if people is not None else None
-    counted = bool(clause.tokens) and (
-        clause.tokens[0].kind == "number" or grammar().at(clause.tokens, 0, "count") is not None
-    )
+    counted = is_count(clause.tokens, 0)
     if not counted:
         raise InputError(f"'{clause.text}' does not say how many are to sit there; say 'six people'")
     rest = clause.tokens[1 if people is None else people + 1 :]
@@ -185,7 +183,7 @@ def _seated(clause: Clause) -> Clause:
 
 def _is_given(tokens: Sequence[Token], at: int) -> bool:
     """Whether what is given begins there: "a lamp", "two more books"; not in "give the desk by a window ..."."""
-    counted = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    counted = is_count(tokens, at)
     begins = counted or tokens[at].text in ("a", "an", "another", "some", "more", "its", "their")
     return begins and grammar().at(tokens, at - 1, "prepositions") is None and tokens[at - 1].text not in LINKS
 

@@ -36,7 +36,7 @@ from thinkblox.editing.reading.leads import (
     without_unwanted,
 )
 from thinkblox.errors import InputError
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.tokens import Token
 
 _COMMA = Token(",", ",", "mark", start=-1)
@@ -171,7 +171,7 @@ def _asked_for(tokens: Sequence[Token]) -> list[ClauseStart]:
     first = after_fillers(tokens)
     if first >= len(tokens):
         return []
-    counted = tokens[first].kind == "number" or grammar().at(tokens, first, "count") is not None
+    counted = is_count(tokens, first)
     if counted and any(token.text in ("only", "just") for token in tokens[:first]):
         return [ClauseStart(0, first, "ensure")]
     return [ClauseStart(first, first, "want")] if asked else []

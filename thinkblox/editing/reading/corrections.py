@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import lengths_at
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -88,7 +88,7 @@ def _mended(lexicon: Lexicon, said: list[Token], anew: list[Token]) -> list[Toke
     length = lengths_at(lexicon, anew, 0)
     if length is not None:
         return _other_length(lexicon, said, anew, order)
-    if anew[0].kind == "number" or grammar().at(anew, 0, "count") is not None:
+    if is_count(anew, 0):
         return _other_number(said, anew, order)
     if _like(lexicon, anew, 0) and len(anew) <= 2:
         at = next(

@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import ENDS
 from thinkblox.editing.reading.clause_starts import starts_with_verb
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.tokens import Token, tokenise
 
 MOST_OF_PERSON = 6
@@ -150,7 +150,7 @@ def _arranges(tokens: Sequence[Token], at: int) -> bool:
 def _seated(tokens: list[Token], at: int) -> list[Token]:
     """The tokens with "(make it longer) so that eight can sit at it" as so many chairs at it; else empty."""
     said = at + 1 + (tokens[at + 1].text == "that" if at + 1 < len(tokens) else 0)
-    if not at or said >= len(tokens) or not _is_count(tokens, said):
+    if not at or said >= len(tokens) or not is_count(tokens, said):
         return []
     who = said + 1 + (said + 1 < len(tokens) and grammar().knows(tokens[said + 1].text, "people"))
     able = longest("able", tokens, who) if who < len(tokens) else None
@@ -167,10 +167,6 @@ def _seated(tokens: list[Token], at: int) -> list[Token]:
     needless = more[begun : begun + 1] == ["add"] and [w for w in more[begun + 1 :] if w not in _NEEDED] == ["chairs"]
     rest = [] if needless else rest
     return [*tokens[:at], words[0], there, *words[2:4], replace(tokens[said], start=-1), *words[4:], *rest]
-
-
-def _is_count(tokens: Sequence[Token], at: int) -> bool:
-    return tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
 
 
 def _without_whole(tokens: list[Token], at: int) -> list[Token]:

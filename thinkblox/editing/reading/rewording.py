@@ -8,7 +8,7 @@ from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import DEGREES
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
@@ -182,7 +182,7 @@ def counted_to(tokens: Sequence[Token]) -> list[Token]:
     end = next((n for n in range(begin or 0, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
     to = next((n for n in range(begin or 0, end) if tokens[n].text == "to"), end)
     said = [token.text for token in tokens[(begin or 0) + 1 : to]]
-    counted = to + 2 == end and (tokens[to + 1].kind == "number" or grammar().at(tokens, to + 1, "count") is not None)
+    counted = to + 2 == end and is_count(tokens, to + 1)
     if begin is None or not counted or said[:1] not in (["the"], ["my"], ["our"]):
         return list(tokens)
     first = begin + (4 if said[1:3] == ["number", "of"] else 2)
@@ -201,7 +201,7 @@ def _too_many(tokens: Sequence[Token]) -> list[Token]:
     if at is None or end + 2 >= len(tokens) or tokens[0].text not in ("there", "we", "i"):
         return list(tokens)
     found = longest("wishes", tokens, end + 2)
-    counted = tokens[end + 1].kind == "number" or grammar().at(tokens, end + 1, "count") is not None
+    counted = is_count(tokens, end + 1)
     if found is None or found[0] != "only" or not counted:
         return list(tokens)
     first, the, to = (Token(word, word, "word", start=-1) for word in ("reduce", "the", "to"))

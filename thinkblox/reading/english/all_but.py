@@ -13,7 +13,7 @@ _EACH = ("each of them", "every one of them", "each of these")
 
 def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which all but some of several are every one of them but so many."""
-    made = [_each_of_both(chunk, chunks[:at]) for at, chunk in enumerate(chunks)]
+    made = [_each_of_both(chunks, at) for at in range(len(chunks))]
     for at in range(len(made) - 2):
         every, but, left = made[at : at + 3]
         if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):
@@ -29,10 +29,12 @@ def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
     return made
 
 
-def _each_of_both(chunk: Chunk, before: Sequence[Chunk]) -> Chunk:
+def _each_of_both(chunks: Sequence[Chunk], at: int) -> Chunk:
     """Each of both, where one thing is said to be at them, or they come before what is there."""
+    chunk = chunks[at]
     if not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.det != "both" or not chunk.plural:
         return chunk
+    before = chunks[:at]
     if not before or not is_link(before[-1], "prepositions", *_CARRIED):
         return chunk
     said = before[-3] if len(before) > 1 and is_link(before[-2], "verbs") else before[-2] if len(before) > 1 else None

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Noun, Stray, filler
 from thinkblox.reading.english.said import is_link
 
 _MOST = 6
@@ -17,7 +17,7 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
     while at < len(chunks):
         length = _only_one(chunks, at) if _is_after_thing(chunks, at) else 0
         if length:
-            made += [_filler(chunk) for chunk in chunks[at : at + length]]
+            made += [filler(chunk) for chunk in chunks[at : at + length]]
             at += length
         elif _is_after_thing(chunks, at) and _is_one_with(chunks, at + 1):
             at += 2
@@ -26,7 +26,7 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
             assert isinstance(instead, Noun)
             assert isinstance(number, Noun)
             made[-3] = replace(instead, count=number.count, least=number.least, most=number.most)
-            made += [_filler(chunk) for chunk in chunks[at : at + 2]]
+            made += [filler(chunk) for chunk in chunks[at : at + 2]]
             at += 2
         else:
             made.append(chunks[at])
@@ -66,7 +66,3 @@ def _is_counted_instead(made: Sequence[Chunk], said: Sequence[Chunk]) -> bool:
     number = said[1] if len(said) > 1 and is_link(said[0], "mark", "comma") else None
     told = isinstance(number, Noun) and number.kind == "number" and bool(number.count) and not number.of_known
     return several and is_link(link, "prepositions", "instead") and isinstance(other, Noun) and told
-
-
-def _filler(chunk: Chunk) -> Connector:
-    return Connector("fillers", "words", chunk.start, chunk.end, str(getattr(chunk, "text", "")))

@@ -6,7 +6,7 @@ from functools import cached_property, lru_cache
 from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.dimensions import led_size
-from thinkblox.reading.english.grammar import Function, grammar
+from thinkblox.reading.english.grammar import Function, grammar, is_count
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import begins_two_walls, two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
@@ -354,13 +354,9 @@ class Cutter:
             return noun
         after = self.at + (1 if words[0] == "another" else 2)
         after += self._text_at(after) == "one"
-        if after >= noun.end or not (noun.plural or self._is_count(after)):
+        if after >= noun.end or not (noun.plural or is_count(self.tokens, after)):
             return noun
         return Noun("pronoun", "other", self.at, after, "another" if words[0] == "another" else "the other")
-
-    def _is_count(self, at: int) -> bool:
-        """Whether a number comes."""
-        return self.tokens[at].kind == "number" or grammar().at(self.tokens, at, "count") is not None
 
     def _names_room(self) -> bool:
         """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""

@@ -1,5 +1,6 @@
 """What an English text is cut into: noun phrases, and the words between them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -167,6 +168,16 @@ class SaidSurface:
 
 
 Chunk = Noun | Connector | Adjective | Measured | Stray | SaidSurface
+
+
+def filler(chunk: Chunk) -> Connector:
+    """A chunk as words that only fill the sentence and ask for nothing."""
+    return Connector("fillers", "words", chunk.start, chunk.end, text_of([chunk]))
+
+
+def text_of(chunks: Sequence[Chunk]) -> str:
+    """The words of chunks as they were written; a size has none."""
+    return " ".join(str(getattr(chunk, "text", "")) for chunk in chunks)
 
 
 def are_neighbours(several: Noun) -> bool:

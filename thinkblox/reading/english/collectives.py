@@ -8,7 +8,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.knowledge.collectives import Collective, collective
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray, text_of
 from thinkblox.reading.english.said import is_link
 
 _PAIR = 2
@@ -31,7 +31,7 @@ def with_collectives(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(replace(chunk, kind="thing", value=value, count=None, plural=True, room="", among=tuple(among)))
         elif isinstance(chunk, Noun) and (lost := _not_meant(chunks, at, made)):
             length = lost
-            text = " ".join(str(getattr(said, "text", "")) for said in chunks[at : at + length])
+            text = text_of(chunks[at : at + length])
             made.append(Stray(chunk.start, chunks[at + length - 1].end, text))
         else:
             made.append(chunk)

@@ -85,6 +85,11 @@ class Grammar:
         return sorted(found, key=lambda function: -function.length) if len(found) > 1 else found
 
 
+def is_count(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a number of things is said there, in figures or in words."""
+    return at < len(tokens) and (tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None)
+
+
 @lru_cache(maxsize=1)
 def grammar() -> Grammar:
     """The grammar words, read once."""

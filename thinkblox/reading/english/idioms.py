@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.tokens import Token
 
 _ENDS = ("back", "front", "rear", "far")
@@ -75,7 +75,7 @@ def _is_counted(tokens: Sequence[Token], at: int) -> bool:
     if at + 1 >= len(tokens) or not tokens[at + 1].text.endswith("s"):
         return False
     after = tokens[at + 2] if at + 2 < len(tokens) else None
-    number = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    number = is_count(tokens, at)
     return number and (after is None or after.kind == "mark" or after.text == "and")
 
 
@@ -169,7 +169,7 @@ def _is_enough(tokens: Sequence[Token], at: int) -> int:
     """How many words "four is enough" has, which puts a number right that was told before; 0 where it does not come."""
     if not at or not (tokens[at - 1].kind == "mark" or tokens[at - 1].text in _CORRECTING):
         return 0
-    number = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    number = is_count(tokens, at)
     verb, said = ([token.text for token in tokens[at + 1 : at + 3]] + ["", ""])[:2]
     ends = at + 3 >= len(tokens) or tokens[at + 3].kind == "mark"
     enough = (verb in ("is", "are") and said in ("enough", "plenty")) or (verb == "will" and said == "do")
@@ -181,4 +181,4 @@ def _is_grid(tokens: Sequence[Token], at: int) -> bool:
     words = [token.text for token in tokens[at : at + 6]]
     if words[1:2] != ["rows"] or words[2:3] == [] or words[2] not in _BY or words[4:] != ["columns", "of"]:
         return False
-    return all(tokens[n].kind == "number" or grammar().at(tokens, n, "count") is not None for n in (at, at + 3))
+    return all(is_count(tokens, n) for n in (at, at + 3))

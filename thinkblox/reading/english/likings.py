@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
 from thinkblox.reading.english.said import is_link
 
 _LIKING = ("love", "loves", "like", "likes", "adore", "adores", "enjoy", "enjoys")
@@ -20,8 +20,7 @@ def with_likings(chunks: Sequence[Chunk]) -> list[Chunk]:
         if told and isinstance(said, Noun):
             start, told = at, told + start - at  # "A fan of trains".
         for liked in range(start, start + told):
-            chunk = made[liked]
-            made[liked] = Connector("fillers", "words", chunk.start, chunk.end, str(getattr(chunk, "text", "")))
+            made[liked] = filler(made[liked])
     return made
 
 

@@ -3,12 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, filler
 from thinkblox.reading.english.grammar import grammar
 
 _TELLING = ("colon", "dash", "open")
 """Marks between a thing and how many there are of it."""
-_WORDS = "words"
 
 
 def with_noughts(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -18,9 +17,9 @@ def with_noughts(chunks: Sequence[Chunk]) -> list[Chunk]:
         if isinstance(noun, Noun) and _is_countable(noun) and (length := _nought_after(found, at + 1)):
             found[at] = replace(noun, det="no")
             for said in range(at + 1, at + 1 + length):
-                found[said] = _filler(found[said])
+                found[said] = filler(found[said])
             if _is_number_of(found, at - 2):
-                found[at - 2 : at] = map(_filler, found[at - 2 : at])
+                found[at - 2 : at] = map(filler, found[at - 2 : at])
     return found
 
 
@@ -60,7 +59,3 @@ def _is_number_of(chunks: Sequence[Chunk], at: int) -> bool:
     number, link = chunks[at], chunks[at + 1]
     named = isinstance(number, Noun) and number.kind == "abstract" and number.value == "number"
     return named and isinstance(link, Connector) and link.value == "of"
-
-
-def _filler(chunk: Chunk) -> Connector:
-    return Connector("fillers", _WORDS, chunk.start, chunk.end, getattr(chunk, "text", ""))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, text_of
 from thinkblox.reading.english.said import is_link
 
 _TURNED = {
@@ -27,7 +27,8 @@ _AWAY = 4
 def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the things are told of by the openings, which stay where they are."""
     made = _lost(chunks)
-    for at in range(len(made) - 3):
+    at = -1
+    while (at := at + 1) < len(made) - 3:
         opening, verb = made[at : at + 2]
         begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and", "but")
         if not (begins and _is_opening(opening) and is_link(verb, "verbs", "be", "stand")):
@@ -39,7 +40,6 @@ def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
         if isinstance(thing, Noun) and thing.kind == "thing" and not thing.many and over:
             link = Connector("prepositions", _TURNED[word], made[at + 2].start, made[at + 2].end)
             made[at : end + 1] = [*_asked(opening), thing, verb, link, _the(opening)]
-            return with_opening_places(made)
     return made
 
 
@@ -65,7 +65,7 @@ def _lost(chunks: Sequence[Chunk]) -> list[Chunk]:
         if led and (leads or between) and isinstance(link, Connector) and isinstance(whither, Noun):
             last = whither if leads else link
             told = [c for c in (said, link, whither if leads else None) if c is not None]
-            made.append(Stray(told[0].start, last.end, " ".join(str(getattr(c, "text", "")) for c in told)))
+            made.append(Stray(told[0].start, last.end, text_of(told)))
             at += len(told)
         else:
             made.append(chunks[at])

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, filler
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -21,19 +21,19 @@ def with_outside(chunks: Sequence[Chunk]) -> list[Chunk]:
             continue
         leads = link.text.lower() in grammar().lists["leading"]
         if leads and (noun.kind == "room" or _is_outside(noun)):
-            made[at - 1 : at + 1] = [_filler(link), _filler(noun)]
+            made[at - 1 : at + 1] = [filler(link), filler(noun)]
         elif (link.sort == "prepositions" or is_link(link, "verbs", "face")) and _is_outside(noun):
             seen = isinstance(before, Noun) and (before.kind == "room" or before.word in grammar().lists["looked_from"])
             if link.value == "of" and not seen:
                 continue  # The painting of the sea is one.
             lost = Stray(link.start, noun.end, f"{link.text} {noun.text}")
-            made[at - 1 : at + 1] = [_filler(link), _filler(noun)] if seen else [_filler(link), lost]
+            made[at - 1 : at + 1] = [filler(link), filler(noun)] if seen else [filler(link), lost]
         elif is_link(link, "prepositions", "under") and _is_stairs(noun) and _is_room(before):
-            made[at - 1 : at + 1] = [_filler(link), Stray(link.start, noun.end, f"{link.text} {noun.text}")]
+            made[at - 1 : at + 1] = [filler(link), Stray(link.start, noun.end, f"{link.text} {noun.text}")]
         elif is_link(link, "prepositions", "on") and _is_storey(noun) and isinstance(before, Noun):
             kept = before.kind == "room"
             lost = Stray(link.start, noun.end, f"{link.text} {noun.text}")
-            made[at - 1 : at + 1] = [_filler(link), _filler(noun) if kept else lost]
+            made[at - 1 : at + 1] = [filler(link), filler(noun) if kept else lost]
     return made
 
 
@@ -54,7 +54,3 @@ def _is_stairs(noun: Noun) -> bool:
 def _is_storey(noun: Noun) -> bool:
     words = noun.text.lower().split()
     return words[-1] in _FLOORS and (bool(noun.ordinal) or not grammar().lists["storeys"].isdisjoint(words))
-
-
-def _filler(chunk: Chunk) -> Connector:
-    return Connector("fillers", "words", chunk.start, chunk.end, str(getattr(chunk, "text", "")))

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -17,7 +17,7 @@ def with_pictured(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the room that is shown is the room, as long as nothing was named before it."""
     made: list[Chunk] = []
     at = 2 if _is_test(chunks) else 0
-    made += [Connector("fillers", "words", c.start, c.end, str(getattr(c, "text", ""))) for c in chunks[:at]]
+    made += map(filler, chunks[:at])
     while at < len(chunks) and not (made and _names_thing(made[-1])):
         length = _picture(chunks, at)
         if not length:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
 from thinkblox.reading.english.said import is_link
 
 _SUBJECTS = ("it", "they", "that", "this")
@@ -16,11 +16,11 @@ def with_reasons(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, chunk in enumerate(chunks):
         if isinstance(chunk, Noun) and _is_reason(chunks, at):
             end = next((n for n in range(at, len(chunks)) if is_link(chunks[n], "mark")), len(chunks))
-            made[at:end] = [_filler(said) for said in chunks[at:end]]
-            made[at - 1] = _filler(chunks[at - 1]) if not is_link(chunks[at - 1], "mark") else made[at - 1]
+            made[at:end] = [filler(said) for said in chunks[at:end]]
+            made[at - 1] = filler(chunks[at - 1]) if not is_link(chunks[at - 1], "mark") else made[at - 1]
         elif isinstance(chunk, Connector) and chunk.text.lower() == "because" and _is_of_unknown(chunks, at + 1):
             end = next((n for n in range(at, len(chunks)) if is_link(chunks[n], "mark")), len(chunks))
-            made[at:end] = [_filler(said) for said in chunks[at:end]]
+            made[at:end] = [filler(said) for said in chunks[at:end]]
     return made
 
 
@@ -51,7 +51,3 @@ def _is_denied(chunks: Sequence[Chunk], noun: Noun) -> bool:
     at = next(n for n, chunk in enumerate(chunks) if chunk is noun)
     led = chunks[at - 1] if at else None
     return noun.det == "no" or is_link(led, "prepositions", "without") or is_link(led, "negations", "exclude")
-
-
-def _filler(chunk: Chunk) -> Connector:
-    return Connector("fillers", "words", chunk.start, chunk.end, getattr(chunk, "text", ""))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray, filler
 from thinkblox.reading.english.said import is_link
 
 _PLAIN = frozenset("fancy fussy flashy special elaborate extravagant luxurious showy posh grand elegant".split())
@@ -25,7 +25,7 @@ def with_rough(chunks: Sequence[Chunk]) -> list[Chunk]:
             made += _denied(chunks[at : at + length])
             at += length
         elif _is_own_in_brackets(chunks, at):
-            made += map(_filler, chunks[at : at + 2])
+            made += map(filler, chunks[at : at + 2])
             at += 2
         elif length := _told_far(chunks, at):
             made.append(Stray(chunks[at].start, chunks[at + length - 1].end, "at a distance"))
@@ -77,7 +77,7 @@ def _denied(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Nothing of what no room needs; what is not to be large, as it is denied elsewhere; else it is not understood."""
     no, said = chunks[0], chunks[-1]
     if not isinstance(said, Adjective) or said.text.lower() in _PLAIN:
-        return [_filler(chunk) for chunk in chunks]
+        return [filler(chunk) for chunk in chunks]
     if {*said.attributes} <= _SIZES and said.attributes:
         return [Connector("negations", "not", no.start, no.end, "not"), *chunks[1:]]
     return [Stray(no.start, said.end, f"nothing {said.text}")]
@@ -120,7 +120,3 @@ def _is_each_again(chunks: Sequence[Chunk], at: int) -> bool:
     ends = next((n for n in range(at - 1, -1, -1) if is_link(chunks[n], "mark", "stop", "semicolon")), -1)
     said = (c for c in chunks[ends + 1 : at] if isinstance(c, Noun) and c.kind == "thing")
     return any(c.value == noun.value and c.plural for c in said)
-
-
-def _filler(chunk: Chunk) -> Connector:
-    return Connector("fillers", "words", chunk.start, chunk.end, getattr(chunk, "text", ""))

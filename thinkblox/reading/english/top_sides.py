@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, text_of
 from thinkblox.reading.english.said import is_link
 
 _CARRIED = 4
@@ -58,7 +58,7 @@ def _at_own_corners(chunks: Sequence[Chunk]) -> list[Chunk]:
         if not is_link(link, "prepositions", "in", "at", "on") or (told and not _is_same(room, whole)):
             continue
         end = at + _CORNERED + 2 * told
-        text = " ".join(str(getattr(c, "text", "")) for c in made[at + 3 : end])
+        text = text_of(made[at + 3 : end])
         made[at + 2 : end] = [replace(small, det="", count=4, plural=True), Stray(link.start, made[end - 1].end, text)]
     return made
 
