@@ -94,5 +94,5 @@ def test_the_script_opens_every_door_and_drawer_that_it_can_stand_before(rooms: 
                 continue
             assert ran.reached, (source.name, name)
             reached += 1
-    # Drawers behind a chair that is drawn up, and beside one, cannot be stood before.
-    assert reached > 2 * refused
+    # The doors of wall cabinets hang too high for the arm.
+    assert reached > 10 * refused

@@ -210,23 +210,23 @@ def _touchable(index: ModelIndex, goal: OpenGoal, swing: OpeningMotion) -> list[
         return []
     across = np.array([-out[1], out[0], 0.0]) / np.hypot(out[0], out[1])
     reach = (high - low) / 2
-    wide = float(np.abs(across) @ reach)
+    wide, front = float(np.abs(across) @ reach), middle + float(np.abs(out) @ reach) * out
     found: list[tuple[float, Array]] = []
     for u in np.linspace(-wide, wide, 25):
         for z in np.arange(max(low[2] + 0.03, LOW), min(high[2] - 0.02, HIGH), 0.04):
-            point = _flat_at(index, set(goal.parts.tolist()), np.array([*(middle + u * across)[:2], z]), out, across)
+            point = _flat_at(index, set(goal.parts.tolist()), np.array([*(front + u * across)[:2], z]), out, across)
             if point is not None:
                 found.append((swing.arm(point) - 0.05 * abs(z - 0.7) - 0.1 * (swing.arm(point) == 1.0) * abs(u), point))
     found.sort(key=lambda each: -each[0])
     return [(point, out) for _, point in found]
 
 
-def _flat_at(index: ModelIndex, own: set[int], through: Array, out: Array, across: Array) -> Array | None:
-    """Where a line against the way out first meets a flat part of what opens; None where it does not."""
+def _flat_at(index: ModelIndex, own: set[int], before: Array, out: Array, across: Array) -> Array | None:
+    """Where a line against the way out, from clear of a point before it, meets a flat part of what opens; or None."""
     up = np.cross(out, across)
-    start = through + (_CLEAR + 0.2) * out
+    start = before + _CLEAR * out
     shifts = [np.zeros(3), *(sign * _BESIDE * way for way in (across, up) for sign in (-1.0, 1.0))]
     depths = [index.first_hit(start + shift, -out, own, _SOLID) for shift in shifts]
-    if any(depth is None for depth in depths) or max(depths) - min(depths) > _LEVEL or depths[0] < 0.2:  # type: ignore
+    if any(depth is None for depth in depths) or max(depths) - min(depths) > _LEVEL:  # type: ignore
         return None
     return np.asarray(start - depths[0] * out)  # type: ignore
