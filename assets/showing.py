@@ -34,6 +34,8 @@ _PLACE, _KNEES = 0.5, 0.65
 """Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
 _FULL_HEIGHT = 2.1
 """From this height on a thing reaches from the floor to about the ceiling of a low room [m]."""
+_SAME_SIZE = 0.01
+"""Extents that a word changes by less do not tell whether it was heeded [m]."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
 """Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
@@ -146,20 +148,25 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
 
 
 def _heeded(asset: Asset, attribute: str) -> bool:
-    """Whether the same asset would be another without the word."""
+    """Whether the same asset would be another without the word, and is of a size that tells."""
     if asset.category not in CATALOGUE:
         return attribute in asset.attributes
     seed = seed_of(asset)
     if seed is None or attribute not in asset.attributes:
         return False
-    return _changes(asset.category, seed, asset.attributes, attribute, revision())
+    changed, told, untold = _change(asset.category, seed, asset.attributes, attribute, revision())
+    sized = [(a, b, size) for a, b, size in zip(told, untold, asset.size, strict=True) if abs(a - b) > _SAME_SIZE]
+    return changed and (not sized or any(abs(size - a) < abs(size - b) for a, b, size in sized))
 
 
 @lru_cache(maxsize=256)
-def _changes(category: str, seed: int, attributes: tuple[str, ...], word: str, revision: int) -> bool:
+def _change(
+    category: str, seed: int, attributes: tuple[str, ...], word: str, revision: int
+) -> tuple[bool, Vec3, Vec3]:
+    """Whether a word makes another asset of one, and the extents of that with and without it [m]."""
     told = make_asset(category, seed=seed, attributes=attributes)
     untold = make_asset(category, seed=seed, attributes=_without(attributes, word))
-    return (told.size, told.links) != (untold.size, untold.links)
+    return (told.size, told.links) != (untold.size, untold.links), told.size, untold.size
 
 
 def _without(words: Iterable[str], word: str) -> tuple[str, ...]:

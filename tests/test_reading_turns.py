@@ -113,7 +113,7 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
         ("A chair is behind the desk and two others stand by the window.", "2 chair-2 next_to window"),
         ("A stove, a fridge and a counter. The fridge is left of the stove, the counter right of it.",
          "1 counter right_of stove"),
-        ("The mirror is above the sink, the cabinet under it.", "1 cabinet under base_cabinet"),
+        ("The mirror is above the sink, the cabinet under it.", "1 cabinet under counter"),
         ("A sofa and two armchairs. One armchair is by the window, the other by the door. Between them a table.",
          "1 coffee_table between armchair armchair-2"),
         ("The drums? In the corner.", "2 drum in_corner corner"),

@@ -10,6 +10,7 @@ from importlib.resources import files
 _TABLE = "vocabulary.toml"
 _MOST_STEPS = 16
 _GROUPS = frozenset("pair set stack pile bunch row group couple piece lot".split())
+_LINKS = frozenset("with in for".split())
 _ARTICLES = frozenset("a an the some".split())
 _IRREGULAR = {
     "shelves": "shelf",
@@ -95,6 +96,9 @@ class Vocabulary:
         head, of, rest = name.partition(" of ")
         if of and head.split()[-1] not in _GROUPS:
             yield self.canonical(f"{plain(rest)} {head}")
+        words = name.split(" ")
+        plainer = (" ".join([*words[:at], *words[at + 1 :]]) for at in range(1, len(words) - 1))
+        yield from (self.canonical(less) for less in plainer if not of and not _LINKS.intersection(words))
         general = _shorter(name)
         if general and general not in not_these and self.canonical(general) not in not_these:
             yield self.canonical(general)

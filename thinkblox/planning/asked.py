@@ -49,7 +49,7 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
     elif relation.subject in keys:
         _tie_among(relation, subjects)
     elif len(keys) > 1 and (relation.kind not in _TOGETHER or (relation.each and relation.kind != "between")):
-        _share_out(relation, subjects, [member for key in keys for member in members.by_request[key]], members)
+        _share_out(brief, relation, subjects, [member for key in keys for member in members.by_request[key]], members)
     elif relation.kind == "between" and len(keys) == 1 and (gaps := _gaps(brief, relation, subjects, members)):
         _tie_between(relation, subjects, gaps, members)
     elif len(keys) > 1 or relation.kind == "between":
@@ -57,7 +57,7 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         for index, subject in enumerate(subjects):
             _add(members, subject, anchors, relation, index, len(subjects))
     elif keys:
-        _share_out(relation, subjects, members.by_request[keys[0]], members)
+        _share_out(brief, relation, subjects, members.by_request[keys[0]], members)
 
 
 def _gaps(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> list[tuple[Member, Member]]:
@@ -149,11 +149,13 @@ def _is_one_row(subjects: list[Member]) -> bool:
     return len(subjects) >= _ROW and first.mount == "floor" and not first.flat and not first.ties
 
 
-def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:
+def _share_out(
+    brief: Brief, relation: Relation, subjects: list[Member], anchors: list[Member], members: Members
+) -> None:
     """Spread subjects evenly over the anchors, in order; a few may have them all."""
     if not relation.asked and relation.kind == "on" and load_habits().is_in(subjects[0].category, "built_in"):
         anchors = members.of_category(anchors[0].category)  # A hob and a sink that nobody puts there share no cabinet.
-    if _shared_by_two(relation, subjects, anchors):
+    if _shared_by_two(relation, subjects, anchors) and not _goes_on(brief, relation, members):
         for number, subject in enumerate(subjects):
             for anchor in anchors[2 * number : 2 * number + 2]:
                 _add(members, subject, [anchor], relation, 0, 1)
@@ -176,6 +178,14 @@ def _shared_by_two(relation: Relation, subjects: list[Member], anchors: list[Mem
     floor = all(member.mount == "floor" for member in (*subjects, *anchors))
     twice = len(anchors) == 2 * len(subjects)
     return relation.kind == "next_to" and not relation.each and alike and floor and twice
+
+
+def _goes_on(brief: Brief, relation: Relation, members: Members) -> bool:
+    """Whether others alike, of another look, stand by the same: three orange chairs and three grey ones by six desks."""
+    alike = {member.category for member in members.by_request[relation.subject]}
+    others = (r for r in brief.relations if r.subject != relation.subject and r.subject in members.by_request)
+    same = (r for r in others if (r.kind, r.anchors) == (relation.kind, relation.anchors))
+    return any(alike == {member.category for member in members.by_request[r.subject]} for r in same)
 
 
 def _load(members: Members, anchor: Member, kind: str) -> int:

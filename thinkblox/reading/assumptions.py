@@ -59,6 +59,10 @@ _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
 """Words in the names of what one pays at."""
 
 
+_CABINETS = frozenset(("cabinet", "cupboard"))
+"""What a base cabinet is called besides."""
+
+
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     _shape_by_run(draft)
@@ -417,6 +421,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         there |= any(_is_one(n, usual.category) for n in draft.excluded)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
         there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
+        there |= any(usual.category.endswith(f"_{name}") for name in _plainly_counted(draft, one))
         there |= any(t.asked and varieties().stands_for(usual.category, t.noun) for t in draft.things)
         if there or usual.category in unlikely or _have_places(draft, usual.category) or _is_crowded_out(draft, usual):
             continue
@@ -435,6 +440,13 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _plainly_counted(draft: Draft, but: Collection[str] = ()) -> frozenset[str]:
+    """The plain words by which things are counted: of who asks for "two cabinets", a base cabinet would be a third."""
+    named = (t for t in draft.things if t.asked and t.noun in things() and t.noun not in but)
+    counted = (t for t in named if t.count is not None)
+    return frozenset(t.called for t in counted if t.called.isalpha())
 
 
 def _is_of_one(draft: Draft, thing: Mention, usual: Usual) -> bool:
@@ -900,7 +912,8 @@ def _build_in(draft: Draft) -> None:
     if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
         alone = [t for t in alone if _has_place(draft, t)]
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
-        cabinet = _add(draft, "base_cabinet", thing.count or 1)
+        plain = "counter" if _plainly_counted(draft) & _CABINETS else "base_cabinet"
+        cabinet = _add(draft, plain, thing.count or 1)
         for bond in list(draft.bonds):
             if bond.subject is thing and bond.kind == "next_to" and bond.anchors == ("window",) and not bond.negated:
                 draft.bonds.append(replace(bond, subject=cabinet, asked=False))

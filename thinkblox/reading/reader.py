@@ -7,6 +7,7 @@ from typing import Literal, get_args
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
 from thinkblox.assets.palette import without_general
+from thinkblox.assets.repaint import MATERIALS
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
@@ -170,6 +171,8 @@ def _hang(bond: Bond, place: str) -> None:
         return
     if (hung := _hung_form(kind, mount, bond)) is not None:
         bond.subject.noun = hung
+        made_of = [word for word in thing.called.split() if word in MATERIALS and word not in thing.attributes]
+        thing.attributes += made_of
         return
     stands = _stands_up_to_walls(kind) or (_stands_at_walls(kind) and word not in bond.subject.attributes)
     if mount_of(kind, (word,)) == mount and not stands:

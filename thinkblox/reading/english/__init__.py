@@ -64,6 +64,7 @@ from thinkblox.reading.english.own_places import with_own_places
 from thinkblox.reading.english.part_subjects import with_part_subjects
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
+from thinkblox.reading.english.people_doing import with_people_doing
 from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
@@ -185,6 +186,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     for rewritten in (
         with_broken_off,
         with_short_names,
+        with_people_doing,
         with_totals,
         with_orders_not,
         with_likings,

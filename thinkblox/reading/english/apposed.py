@@ -19,6 +19,10 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
         if length:
             made += [filler(chunk) for chunk in chunks[at : at + length]]
             at += length
+        elif _is_named_again(chunks, at):
+            begun = len(made) - (bool(made) and is_link(made[-1], "prepositions"))
+            made[begun:] = [filler(chunk) for chunk in [*made[begun:], chunks[at]]]
+            at += 1
         elif _is_after_thing(chunks, at) and _is_one_with(chunks, at + 1):
             at += 2
         elif _is_counted_instead(made, chunks[at : at + 2]):
@@ -32,6 +36,15 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunks[at])
             at += 1
     return made
+
+
+def _is_named_again(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether what is named is named with its number after a colon: "benches: two pine benches"."""
+    bare, colon, counted = (*chunks[at : at + 3], None, None)[:3]
+    if not isinstance(bare, Noun) or not isinstance(counted, Noun) or not is_link(colon, "mark", "colon"):
+        return False
+    plain = bare.kind == "thing" and bare.plural and not (bare.det or bare.count or bare.attributes or bare.unshown)
+    return plain and counted.kind == "thing" and counted.value == bare.value and bool(counted.count)
 
 
 def _is_after_thing(chunks: Sequence[Chunk], at: int) -> bool:

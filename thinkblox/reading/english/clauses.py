@@ -123,6 +123,8 @@ class Clauses(Audit):
             for told in states:
                 told += [STACKED] if STACKED not in told else []
             return
+        if words[said] in grammar().lists["leaning"] and self._stands_leaning(node):
+            return
         if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return
         before, start = self._before(), link.start
@@ -136,6 +138,12 @@ class Clauses(Audit):
         elif words[said] == _ANGLED and link.value == "facing":
             return
         self._lose(start, link.start + (len(words) if link.sort != "prepositions" else said + 1))
+
+    def _stands_leaning(self, node: Node | None) -> bool:
+        """Whether what leans against a wall is what stands there: a ladder, but no clock and no picture."""
+        wall = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "against", "on") else None
+        at_wall = wall is not None and wall.kind == "place" and wall.value.split()[-1] == "wall"
+        return at_wall and node is not None and not any(self._belongs(t.noun, "wallpieces") for t in node.things)
 
     def _say_of_all(self, link: Connector) -> None:
         """Read a correction, or how several stand to each other."""

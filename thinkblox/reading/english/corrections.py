@@ -64,7 +64,8 @@ class Corrections(Pronouns):
         kept = set(map(id, self.draft.things))
         spoken = list(dict.fromkeys(t for t in reversed(self.referents.spoken) if id(t) in kept and t.asked))[:_BACK]
         if noun.kind == "number":
-            found = spoken[0] if spoken and (spoken[0].count or 1) > 1 else None
+            told = bool(noun.attributes) or (noun.count or 1) > 1
+            found = spoken[0] if spoken and (told or (spoken[0].count or 1) > 1) else None
         else:
             found = next((t for t in spoken if self._is_kin(t, noun)), None)
         if found is None or len(self.referents.family(found)) > 1 or found.groups or found.rows:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import noun_of
-from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of
+from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of, thing_called
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.chunks import Noun, NounKind
 from thinkblox.reading.english.grammar import grammar
@@ -103,7 +103,15 @@ class Heads(Modifiers):
         words = words[1:] if len(words) > 1 and words[0] in ARTICLES else words
         head = words.index("of") - 1 if "of" in words[1:] else len(words) - 1
         words[head] = singular(words[head]) if noun.plural else words[head]
-        return " ".join(word for at, word in enumerate(words) if at >= head or not told.issuperset(word.split("-")))
+        name = " ".join(word for at, word in enumerate(words) if at >= head or not told.issuperset(word.split("-")))
+        return self._with_matter(noun, units, name)
+
+    def _with_matter(self, noun: Noun, units: Units, name: str) -> str:
+        """The name with the look before it where both are one name of the thing: "rubber stamp"."""
+        before = noun.end - len(" ".join(unit.text for unit in units.nouns).split()) - 1
+        look = self._text(before, before + 1).lower() if before >= noun.start else ""
+        whole = thing_called(f"{look} {name}", 1 + len(name.split())) if look else None
+        return f"{look} {name}" if whole is not None and whole.category == noun.value else name
 
     def _no_hallway(self, noun: Noun, nouns: list[Unit]) -> None:
         """Take a hall of some kind that we do not know for a room: a village hall is no hallway."""

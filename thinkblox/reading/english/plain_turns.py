@@ -50,6 +50,76 @@ _IN_WAY = re.compile(
     re.IGNORECASE,
 )
 """What a thing does to the way or the door, and no block."""
+_NEITHER = re.compile(r"\bneither (\w+)(?= (?:may|can|is|should|must|shall|stands|faces|has|touches|will)\b)", re.IGNORECASE)
+"""None of two."""
+_FOR_ROOM = re.compile(r"(?:^|(?<=[.!?\n] ))(?:this|it)(?:'s| is) for (?=(?:an?|my|our|the)\b)", re.IGNORECASE)
+"""Which room is wanted, told as what the words are for."""
+_IN_HASTE = re.compile(r"\b((?:need|want|build|make|give me|get me)(?: an?)? [a-z]+(?: [a-z]+)?) (?:fast|quick|asap)(?=[,.:;!\n]|$)", re.IGNORECASE)
+"""How soon it is wanted."""
+_RUN_BY = re.compile(
+    r"\b(?:run|owned|managed|staffed|inhabited|founded|used) by (?:an?|the|my|our|two|three|some) (?:[\w'-]+ ){0,3}?[\w'-]+"
+    r"(?=\s*(?:[,.;:!?\n]|with\b|and has\b|who\b|$))",
+    re.IGNORECASE,
+)
+"""Whose a room is."""
+_ONCE_HAD = re.compile(
+    r"(?:\b(?:that|which) )?\b(?:we|i|they|he|she|you|people) (?:used to (?:have|own|keep|use)|once (?:had|owned)|had before)"
+    r"(?= (?:is|are|was|were|has|have)\b)",
+    re.IGNORECASE,
+)
+"""What was once, and says nothing of what is."""
+_UNDONE = re.compile(
+    r"(?:\b(?:that|which) )?(?:\b(?:nobody|no one|no-one) (?:has|have|ever|wants|uses|dares|will|would)\b|"
+    r"\b(?:that|which) (?:he|she|we|i|they) (?:has|have|had)(?:n't|nt| not| never)\b)[^,.;:!?\n]*",
+    re.IGNORECASE,
+)
+"""What somebody has not done with a thing."""
+_NEEDED = re.compile(
+    r"\b(?:because|since|as) (?:he|she|we|i|they|you) (?:needs?|likes?|loves?|wants?|prefers?|hates?) (?:the|some|more|natural|good) "
+    r"(?:day)?(?:light|sun|view|air|space|quiet|warmth|room)\b",
+    re.IGNORECASE,
+)
+"""Why something is where it is."""
+_NOT_ONE = re.compile(r"\b(and|but) not one(?= (?!of\b)[a-z])", re.IGNORECASE)
+"""None at all."""
+_RECEPTION = re.compile(r"\bthe reception(?= (?:has|needs|ought|must|should|is)\b(?: to)?(?: be| look| feel)? [a-z]+\s*[.;,!])", re.IGNORECASE)
+"""The room, of which it is told how it looks."""
+_SEEN_FIRST = re.compile(r"\b(what (?:you|we|one|visitors|guests) (?:notice|see|spot|meet)s?) first\b", re.IGNORECASE)
+"""What is there, told as what is seen."""
+_OUT_OF = re.compile(r"\bstraight (?:out of|from) [^,.:;!?\n]{1,40}(?=[,.:;!?\n]|$)", re.IGNORECASE)
+"""What a room reminds of."""
+_SMELL = re.compile(
+    r"\b(?:that|the|a|some) (?:[\w-]+ ){0,2}(?:smell|scent|aroma|fragrance)(?: of [\w ]{1,30})?(?=\s*(?:[,.;:!\n]|and\b|$))",
+    re.IGNORECASE,
+)
+_OUTSIDE = re.compile(r"\b(?:rain|snow|traffic|birdsong|fog|thunder) outside\b", re.IGNORECASE)
+"""What nobody can place in a room."""
+_ROBOTS = re.compile(
+    r"\bfor (?:an?|the|our|my) (?:[\w-]+ ){0,2}robot(?=\s*(?:[,.:;(\n]|to\b|$))|"
+    r"(?:^|(?<=[.!?\n] ))(an?|the|our|my) (?:[\w-]+ ){0,2}robot (?:will|should|must|has to|is going to|can) "
+    r"(?:work|move|operate|live|drive|help|navigate|clean up|tidy up) (?:in|around|through|inside)\b",
+    re.IGNORECASE,
+)
+"""Who uses the room, and is no part of it."""
+_GONE = re.compile(
+    r"\b((?:is|are) gone),? (?:so|and) (?:please )?(?:don't|do not) (?:add|put|place|include|give us) (?:one|any|it|them)\b",
+    re.IGNORECASE,
+)
+"""What is not there, told twice."""
+_REDONE = re.compile(
+    r"(?:,? ?\bso )?\b(?:i|we) (?:want|need|would like|'d like|must have) (?:it|this|that|the room) "
+    r"(?:re)?(?:done up|done|furnished|refurbished|renovated|decorated|designed|modelled)(?: please)?(?=[,.;:!\n]|$)",
+    re.IGNORECASE,
+)
+"""That a room is wanted."""
+_ROOM_NUMBER = re.compile(
+    r"\broom (?:number |no\.? ?)?\d+ (?:of|in|at) (my|our|the|a) (hotel|hostel|motel|inn|guesthouse|dorm)\b", re.IGNORECASE
+)
+"""Which of many rooms alike."""
+_TO_STAY_IN = re.compile(
+    r"\bfor (?:an?|the|my|our|his|her) (?:[\w'-]+ ){1,4}to (?:[a-z]+ )?[a-z]+ in(?=[.,;:!\n]|$)", re.IGNORECASE
+)
+"""What somebody does in a room."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -88,6 +158,24 @@ _TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
     (_BOTH_SIDES, lambda said: f"flanked {said[1]}"),
     (_SO_THAT, lambda said: _turned_so(said[1])),
     (_IN_WAY, lambda said: f"{'is ' if said[1] else 'are ' if said[2] else 'be ' if said[3] else ''}in the way"),
+    (_NEITHER, lambda said: f"no {said[1]}"),
+    (_FOR_ROOM, lambda said: "show"),
+    (_IN_HASTE, lambda said: said[1]),
+    (_RUN_BY, lambda said: ""),
+    (_ONCE_HAD, lambda said: ""),
+    (_UNDONE, lambda said: ""),
+    (_NEEDED, lambda said: ""),
+    (_NOT_ONE, lambda said: f"{said[1]} no"),
+    (_RECEPTION, lambda said: "the room"),
+    (_SEEN_FIRST, lambda said: said[1]),
+    (_OUT_OF, lambda said: ""),
+    (_SMELL, lambda said: ""),
+    (_OUTSIDE, lambda said: ""),
+    (_ROBOTS, lambda said: "show" if said[1] else ""),
+    (_GONE, lambda said: said[1]),
+    (_REDONE, lambda said: ""),
+    (_ROOM_NUMBER, lambda said: f"{said[1]} {said[2]} room"),
+    (_TO_STAY_IN, lambda said: ""),
     (_THREE_D, lambda said: ""),
 )
 """What is read as what."""

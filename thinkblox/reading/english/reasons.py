@@ -31,8 +31,22 @@ def _is_of_unknown(chunks: Sequence[Chunk], at: int) -> bool:
     return is_link(of, "prepositions", "of") and isinstance(what, Noun) and not named
 
 
+def _is_of_getting(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "the wheels get stuck" comes after what was denied: how something gets is nothing that could be there."""
+    subject, verb, how, end = (*chunks[at : at + 4], None, None, None, None)[:4]
+    if not at or not is_link(chunks[at - 1], "mark", "comma") or not isinstance(subject, Noun):
+        return False
+    gets = isinstance(verb, Connector) and verb.text.lower() in ("get", "gets", "would get", "will get")
+    so = not isinstance(how, Noun) or not (how.named or how.det or how.count)
+    before = chunks[at - 2] if at > 1 else None
+    denied = isinstance(before, Noun) and before.kind == "thing" and _is_denied(chunks, before)
+    return denied and subject.definite and gets and so and (end is None or is_link(end, "mark"))
+
+
 def _is_reason(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether a clause about what was denied begins at its subject, with a verb that nobody knows, or after "as"."""
+    if _is_of_getting(chunks, at):
+        return True
     subject, led = chunks[at], chunks[at - 1] if at else None
     if not isinstance(subject, Noun) or subject.text.lower() not in _SUBJECTS or not isinstance(led, Connector):
         return False

@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.assets.palette import COLOURS
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, filler
 from thinkblox.reading.english.said import is_link
 
 _SIDES = ("left", "right")
@@ -17,7 +17,7 @@ _PAIR = 2
 
 def with_told_apart(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the first of several that are told apart says of how many, and each of another colour is new."""
-    made = _shelves(chunks)
+    made = _ones(_shelves(chunks))
     for group in _groups(made):
         marks = {_mark(noun) for _, noun in group}
         if len(marks) < _PAIR:
@@ -30,6 +30,23 @@ def with_told_apart(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             for place, noun in _firsts(group):
                 made[place] = _new(noun)
+    return made
+
+
+def _ones(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "one red and the other blue" for "two lamps, one lamp red and the other blue"."""
+    made, several = list(chunks), ""
+    for at, chunk in enumerate(chunks):
+        if not isinstance(chunk, Noun) or chunk.kind != "thing":
+            continue
+        look, link, other = (*chunks[at + 1 : at + 4], None, None, None)[:3]
+        one = chunk.value == several and chunk.count == 1 and not (chunk.det or chunk.attributes)
+        told = isinstance(look, Adjective) and bool(look.attributes) and is_link(link, "joins", "and")
+        if one and told and isinstance(look, Adjective) and isinstance(other, Noun) and other.det == "other":
+            text = f"{chunk.text.split()[0]} {look.text}"
+            made[at] = replace(chunk, kind="number", value="", text=text, called="", attributes=[*look.attributes])
+            made[at + 1] = filler(look)
+        several = chunk.value if chunk.plural else several
     return made
 
 
