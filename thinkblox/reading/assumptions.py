@@ -216,9 +216,10 @@ def counted_seats(draft: Draft) -> tuple[str, ...]:
 def pull_up(draft: Draft) -> None:
     """Have stools along a counter drawn up to it, and seats put before what hangs in front of those who sit there.
 
-    A till at the counter, which has its place on one, is on it.
+    A till at the counter, which has its place on one, is on it; the one chair next to a desk is drawn up to it.
     """
     habits = load_habits()
+    draft.bonds += [Bond("at", b.subject, b.anchors, each=b.each, asked=False) for b in draft.bonds if _is_alone(draft, b)]
     for bond in draft.bonds:
         anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
         if not isinstance(anchor, Mention) or bond.negated:
@@ -234,6 +235,18 @@ def pull_up(draft: Draft) -> None:
                 bond.subject.per, bond.each = [anchor], False
             bond.anchors = (bond.subject,)
             draft.hand_over(bond, anchor)
+
+
+def _is_alone(draft: Draft, bond: Bond) -> bool:
+    """Whether a chair is next to a desk that has no other seat, and nothing more is said of its place."""
+    desk = bond.anchors[0] if len(bond.anchors) == 1 else None
+    if bond.kind != "next_to" or bond.negated or not isinstance(desk, Mention) or not _is_desk(desk):
+        return False
+    seats = [b.subject for b in draft.bonds if desk in b.anchors and _is_upright(b.subject)]
+    places = [b for b in draft.bonds_of(bond.subject) if not b.negated]
+    one_each = (bond.each and len(seats) == 1) or sum(seat.count or 1 for seat in seats) == (desk.count or 1)
+    alike = {seat.noun for seat in seats} == {bond.subject.noun}
+    return alike and len(places) == 1 and _is_chair(bond.subject) and one_each
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:

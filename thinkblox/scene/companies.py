@@ -7,7 +7,7 @@ from shapely import Point, unary_union
 
 from thinkblox.scene.bearings import bearing, gap, ground_gap, place_of
 from thinkblox.scene.landmarks import Landmark
-from thinkblox.scene.pairs import ROUNDING, Finding, Pair, every, facing, side_taken
+from thinkblox.scene.pairs import NEXT_TO, ROUNDING, Finding, Pair, every, facing, side_taken
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
@@ -81,7 +81,10 @@ def _around(members: list[Landmark], anchor: Landmark) -> Finding:
 
 
 def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
-    """Its centre is in what the anchors span together, give or take its own half depth, and in none of them."""
+    """Its centre is in what the anchors span together, give or take its own half depth, and in none of them.
+
+    Between two of a kind it is next to both: that is where a nightstand is between two beds.
+    """
     others = [a for a in anchors if a.name != subject.name]
     names = ", ".join(a.name for a in others)
     if len(others) < 2:
@@ -91,7 +94,11 @@ def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
     inside = [a.name for a in others if a.kind == "object" and a.footprint.covers(centre)]
     text = f"{subject.name} {off:.2f} m out of the space between {names}"
     text += f"; within {', '.join(inside)}" if inside else ""
-    return off <= min(subject.half) and not inside, text
+    holds = off <= min(subject.half) and not inside
+    if len(others) == len(("one", "other")) and len({a.name.rpartition("_")[0] for a in others}) == 1:
+        away = max(gap(subject, a) for a in others)
+        return holds and away <= NEXT_TO + ROUNDING, f"{text}, at most {away:.2f} m from each"
+    return holds, text
 
 
 def in_rows(members: list[Landmark], rows: int) -> Finding:

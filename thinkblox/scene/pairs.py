@@ -272,7 +272,13 @@ def _back_to_back(subject: Landmark, anchor: Landmark) -> Finding:
 def _above(subject: Landmark, anchor: Landmark) -> Finding:
     rise, aside = subject.base - anchor.top, anchor.footprint.distance(Point(subject.centre))
     text = f"{subject.name} {rise:.2f} m above {anchor.name}, {aside:.2f} m aside"
-    return rise >= -CONTACT and aside <= ABOVE_MARGIN, text
+    return rise >= -CONTACT and aside <= ABOVE_MARGIN and _is_in_line(subject, anchor), text
+
+
+def _is_in_line(subject: Landmark, anchor: Landmark) -> bool:
+    """Whether the middle of what hangs on a wall is over the width of what stands before that."""
+    across = [subject.to_local(corner)[1] for corner in anchor.footprint.envelope.exterior.coords]
+    return not subject.hung or min(across) - ROUNDING <= 0.0 <= max(across) + ROUNDING
 
 
 def _nearly_above(subject: Landmark, anchor: Landmark) -> Finding:

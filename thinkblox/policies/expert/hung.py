@@ -19,6 +19,8 @@ from thinkblox.scene.room import Opening, Room, Wall, turn_between
 from thinkblox.scene.saying import turned
 from thinkblox.value import Vec3
 
+_ROWS = 3
+"""Most rows in which things hang over each other above what is narrower than all of them side by side."""
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
 USED_FROM_ABOVE, FLOATING = 1.1, 0.2
@@ -175,16 +177,20 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
         yield from _pendant(situation, anchor, index=index, count=count)
         return
     gap = situation.facts.hanging.above
-    share, pitch = _pitch(situation, anchor.size[1], count)
+    columns = _columns(situation, anchor.size[1], count)
+    share, pitch = _pitch(situation, anchor.size[1], columns)
     size = None if share == 1.0 else scaled(situation.size, share)
+    row, column = divmod(index, columns)
+    abreast = min(columns, count - row * columns)
+    higher = row * ((size or situation.size)[2] + BETWEEN)
     top = max(_top(situation, a) for a in anchors)
     eye = situation.facts.hanging.middle - situation.size[2] / 2
     for rank, wall in enumerate(_nearest_walls(situation, anchor)):
         along = sum(wall.coordinates((a.position[0], a.position[1]))[0] for a in anchors) / len(anchors)
-        if count > 1:
-            along += (index - (count - 1) / 2) * pitch * (-1.0 if turn_between(wall.yaw, anchor.yaw) > 90.0 else 1.0)
+        if abreast > 1:
+            along += (column - (abreast - 1) / 2) * pitch * (-1.0 if turn_between(wall.yaw, anchor.yaw) > 90.0 else 1.0)
         for step, lift in enumerate((gap, gap + 0.1, gap + 0.3, gap / 2, 0.05)):
-            z = max(top + lift, min(eye, top + lift + 0.35))
+            z = max(top + lift, min(eye, top + lift + 0.35)) + higher
             if z + situation.size[2] > situation.room.height - 0.02:
                 continue
             half = (size or situation.size)[1] / 2
@@ -197,6 +203,13 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
                 place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
                 cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)
                 yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost, size=size)
+
+
+def _columns(situation: Situation, width: float, count: int) -> int:
+    """How many of so many hang side by side over a width: all, or, where the outermost would be beside it, a row's."""
+    own = situation.size[1] * (1.0 if any(situation.target.size) else SHRINK[-1])
+    abreast = (-(-count // rows) for rows in range(1, _ROWS + 1))
+    return next((n for n in abreast if (n - 1) * (own + BETWEEN) <= 0.95 * width), count)
 
 
 def _pitch(situation: Situation, width: float, count: int) -> tuple[float, float]:

@@ -109,6 +109,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
     ties = tuple(sorted(situation.target.ties, key=lambda tie: not _is_turned_first(situation, tie)))
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
+    drawn_up = {tie.anchors for tie in ties if tie.kind == "at"}
+    ties = tuple(tie for tie in ties if tie.kind != "next_to" or tie.anchors not in drawn_up)
     in_rows = any(tie.kind == "in_rows" for tie in ties)
     if in_rows:  # A row has its walls among its places.
         ties = tuple(sorted(ties, key=lambda tie: tie.kind == "against_wall"))

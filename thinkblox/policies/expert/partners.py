@@ -73,6 +73,7 @@ def beside_each(situation: Situation) -> float:
     widths: dict[str, float] = {}
     for later in situation.observation.plan.targets:
         by = {a for tie in later.ties if tie.kind == "next_to" and tie.asked for a in tie.anchors if a in alike}
+        by -= {a for tie in later.ties if tie.kind == "at" for a in tie.anchors}
         if len(by) == 1 and situation.kind(later).mount == "floor":
             (own,) = by
             widths[own] = widths.get(own, 0.0) + situation.kind(later).size[1] + AIRS[0]
