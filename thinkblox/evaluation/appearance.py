@@ -12,6 +12,9 @@ MAIN = 0.3
 MATERIAL = 0.2
 """The share of the surface that has to be of a material, unless the table says less."""
 
+_DISPLAY = "screen"
+"""The material of what shows pictures."""
+
 
 class ColourPatch(NamedTuple):
     """A part of the surface."""
@@ -33,8 +36,12 @@ def patches(body: Body) -> tuple[ColourPatch, ...]:
 
 
 def has_colour(body: Body, word: str) -> tuple[bool, float]:
-    """Whether a colour is one of the object's main ones, and its share of the surface."""
-    share = _share(body, lambda patch: looks(word, patch.colour))
+    """Whether a colour is one of the object's main ones, and its share of the surface.
+
+    A display has the colour of its casing: a white monitor is not black for being switched off.
+    """
+    cased = any(patch.material != _DISPLAY for patch in patches(body))
+    share = _share(body, lambda patch: looks(word, patch.colour), without=_DISPLAY if cased else "")
     return share >= MAIN, share
 
 
@@ -56,8 +63,8 @@ def _material(word: str) -> str:
     return name
 
 
-def _share(body: Body, chosen: Callable[[ColourPatch], bool]) -> float:
-    parts = patches(body)
+def _share(body: Body, chosen: Callable[[ColourPatch], bool], without: str = "") -> float:
+    parts = [patch for patch in patches(body) if patch.material != without]
     whole = sum(patch.area for patch in parts)
     return sum(patch.area for patch in parts if chosen(patch)) / whole if whole > 0 else 0.0
 

@@ -15,6 +15,7 @@ from thinkblox.evaluation.matching import is_kind_of, match, names_of
 from thinkblox.evaluation.relation_words import Element, element, element_rule, object_rules
 from thinkblox.evaluation.tallies import JudgedRow
 from thinkblox.evaluation.vocabulary import Vocabulary, load_vocabulary, plain
+from thinkblox.reading.lexicon import load
 
 _TABLE = "reading_table.toml"
 _PLACES: dict[Element, tuple[str, ...]] = {
@@ -197,11 +198,21 @@ def _in_words(relation: Relation, counts: dict[str, int]) -> str:
     return f"{subject} {relation.kind} {', '.join(relation.anchors)}{each}".rstrip()
 
 
+def _type_of_room(kind: str) -> str:
+    """What type of room a demanded kind is by the words for those: a study is a home office."""
+    words = load("en")
+    tokens = words.tokens(kind)
+    found = words.longest(tokens, 0)
+    entry = found.entry("room") if found.length == len(tokens) else None
+    return entry.value if entry is not None else kind
+
+
 def _room_rows(annotation: Annotation, brief: Brief) -> list[JudgedRow]:
     rows, demand = [], annotation.room
     if demand.kind:
         asked, read = plain(demand.kind), plain(brief.room_type)
         met = asked == read or asked.endswith(f" {read}") or read.endswith(f" {asked}")
+        met |= plain(_type_of_room(demand.kind)) == read
         rows.append(JudgedRow(kind="room", about="kind", demand=asked, met=met, says=f"reads a {read}"))
     if demand.size is not None:
         sides = sorted(s for s in (brief.width, brief.depth) if s is not None)

@@ -9,7 +9,10 @@ from importlib.resources import files
 
 _TABLE = "vocabulary.toml"
 _MOST_STEPS = 16
-_GROUPS = frozenset("pair set stack pile bunch row group couple piece lot".split())
+_GROUPS = frozenset(
+    "pair pairs set sets stack stacks pile piles bunch bunches row rows group groups couple piece pieces lot lots load "
+    "loads heap heaps plenty dozen dozens".split()
+)
 _LINKS = frozenset("with in for".split())
 _ARTICLES = frozenset("a an the some".split())
 _IRREGULAR = {

@@ -120,6 +120,29 @@ _TO_STAY_IN = re.compile(
     r"\bfor (?:an?|the|my|our|his|her) (?:[\w'-]+ ){1,4}to (?:[a-z]+ )?[a-z]+ in(?=[.,;:!\n]|$)", re.IGNORECASE
 )
 """What somebody does in a room."""
+_TO_CONTAIN = re.compile(r",? to (?:contain|include|feature|hold|comprise)\s*(?=:)", re.IGNORECASE)
+"""What comes before a list of what is there."""
+_UNDER_STAIRS = re.compile(
+    r"^([^.;!?\n]*?\b(?:room|office|study|bathroom|toilet|loo|kitchen|den|nook|closet|pantry|workshop|studio|library|"
+    r"bedroom|hideout|laundry)) (?:tucked |squeezed )?(?:away )?(?:in )?under (?:the|our|my) "
+    r"(?:main )?(?:stairs|staircase|stairway|roof|eaves|rafters)\b",
+    re.IGNORECASE,
+)
+"""Where in the house a room is."""
+_EPISODE = re.compile(
+    r"^(?:[\w-]+ ){0,4}(?:episode|trial|challenge|experiment|rollout)s?(?: takes place| set)? in (?=(?:an?|the|our)\b)",
+    re.IGNORECASE,
+)
+_TARGET = re.compile(
+    r"\bthe (?:target|goal|query)(?: object| item)? is (?=(?:an?|one)\b)", re.IGNORECASE
+)
+"""What robots are to look for, which is there."""
+_MOOD_LIGHT = re.compile(
+    r"(?<!\ba )(?<!\bthe )(?<!\bone )\b(?:soft|warm|gentle|dim|dimmed|moody|subdued|cosy|cozy|golden|harsh|mellow) "
+    r"light(?:ing)?(?=\s*(?:[,.;:!\n]|please\b|and\b|everywhere\b|$))",
+    re.IGNORECASE,
+)
+"""How light it is."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -176,6 +199,11 @@ _TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
     (_REDONE, lambda said: ""),
     (_ROOM_NUMBER, lambda said: f"{said[1]} {said[2]} room"),
     (_TO_STAY_IN, lambda said: ""),
+    (_TO_CONTAIN, lambda said: ""),
+    (_UNDER_STAIRS, lambda said: said[1]),
+    (_EPISODE, lambda said: "show"),
+    (_TARGET, lambda said: "there is"),
+    (_MOOD_LIGHT, lambda said: ""),
     (_THREE_D, lambda said: ""),
 )
 """What is read as what."""

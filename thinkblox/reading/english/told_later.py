@@ -18,7 +18,22 @@ def with_told_later(chunks: Sequence[Chunk]) -> list[Chunk]:
         if place is not None and isinstance(chunk, Noun):
             text = f"{chunk.count} {place.text.split()[-1]}"
             made[at] = replace(place, start=chunk.start, end=chunk.end, det="", count=chunk.count, text=text)
+        elif isinstance(chunk, Noun) and _is_share(made, at):
+            made[at] = replace(chunk, of_known=True)
     return _counted_first(made)
+
+
+def _is_share(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "exactly one sock" is one of more that the sentence counted before."""
+    share = chunks[at]
+    if not isinstance(share, Noun) or share.kind != "thing" or not share.text.lower().startswith("exactly "):
+        return False
+    for chunk in reversed(chunks[:at]):
+        if is_link(chunk, "mark", *_ENDS):
+            return False
+        if isinstance(chunk, Noun) and chunk.value == share.value and chunk.kind == "thing":
+            return (chunk.count or 0) > (share.count or 0) > 0 and not share.of_known
+    return False
 
 
 def _place_before(chunks: Sequence[Chunk], at: int) -> Noun | None:
