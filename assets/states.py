@@ -11,7 +11,9 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
     "stacked": frozenset({"book_stack", "towels"}),
     "framed": frozenset({"picture", "photo_frame", "mirror", "standing_mirror", "painting"}),
-    "closed": frozenset({"book", "book_stack", "notebook", "umbrella", "suitcase", "backpack"}),
+    "closed": frozenset(
+        "book book_stack notebook umbrella suitcase backpack toilet toolbox box pizza_box jar".split()
+    ),
     "swivel": frozenset({"office_chair"}),
     "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
@@ -24,6 +26,8 @@ _ALWAYS: dict[str, frozenset[str]] = {
 }
 """Categories that are made so and in no other way, by state."""
 _SHUT = frozenset({"closed", "shut"})
+_SHUT_SHAPES = ("cabinet", "block")
+"""Plain shapes that are shut on all sides."""
 
 
 def shows_state(asset: Asset, state: str) -> bool:
@@ -32,6 +36,10 @@ def shows_state(asset: Asset, state: str) -> bool:
     if word == "empty" and {"filled", "full"} & set(asset.attributes):
         return False
     if word in _SHUT and any(link.joint is not None for link in asset.links):
+        return True
+    if word in _SHUT and asset.category in CATALOGUE and shape_of(CATALOGUE[asset.category]) in _SHUT_SHAPES:
+        return True
+    if word == "framed" and asset.category in CATALOGUE and shape_of(CATALOGUE[asset.category]) == "board":
         return True
     if word in asset.attributes and word in facts_of(asset.category).forms.values():
         return True

@@ -23,6 +23,8 @@ _ROWS = 3
 """Most rows in which things hang over each other above what is narrower than all of them side by side."""
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
+_CLEAR, _SHORTEST = 0.03, 0.15
+"""Left at least between a lamp and what it hangs over, and how short a lamp may be for that [m]."""
 USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
 HEAD_ROOM = 1.5
@@ -282,8 +284,11 @@ def _pendant(situation: Situation, anchor: Placement, *, index: int, count: int)
     height = situation.room.height
     drop = height - (anchor.top + PENDANT)
     size = situation.size
+    clear = height - anchor.top - _CLEAR
     if 0.3 <= drop <= 2.0:
         size = (size[0], size[1], round(drop, 3))
+    elif drop < 0.3 and _SHORTEST <= clear < size[2]:
+        size = (size[0], size[1], round(clear, 3))
     long = 1 if anchor.size[1] >= anchor.size[0] else 0
     offset = ((index + 0.5) / count - 0.5) * anchor.size[long]
     local = (0.0, offset) if long else (offset, 0.0)

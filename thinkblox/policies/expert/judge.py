@@ -23,6 +23,7 @@ from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
+from thinkblox.scene.pairs import NEXT_TO
 from thinkblox.scene.relations import measure
 from thinkblox.scene.support import ON_FLOOR
 from thinkblox.value import Vec3
@@ -35,6 +36,12 @@ ZONED = 4.0
 LEADING = 4.5
 """How quickly that changes over the room for them, as a share of it: what is slow keeps them in the middle of walls."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
+BY_CHANCE = 3.0
+"""Cost of a relation that only others of its kind are to have."""
+_SIDE = 2.5
+"""How far from a thing people say of another that it is to the left of it [m]."""
+_PLACING = ("left_of", "right_of", "in_front_of", "behind", "next_to")
+"""Relations that say at which side of one thing another is."""
 MISSED_BY, FAR_OFF = 0.4, 3.0
 """Cost per metre by which it misses what it is to be close by, and the most of it."""
 SWING, IN_SWING = 0.5, 8.0
@@ -85,7 +92,7 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
         spared += denied == 0.0
         if denied and len(finalists) - spared >= FINALISTS:
             continue
-        costs[i] += denied + _unmet(situation, ideas[i])
+        costs[i] += denied + _unmet(situation, ideas[i]) + _by_chance(situation, ideas[i])
         finalists.append(i)
     return [(float(costs[i]), ideas[i]) for i in sorted(finalists, key=lambda i: costs[i])]
 
@@ -261,6 +268,30 @@ def _unmet(situation: Situation, idea: Idea) -> float:
         if all(id in scene for id in (due.subject, *due.tie.anchors)):
             cost += UNMET_ASKED * (not measure(scene, due.tie.kind, due.subject, due.tie.anchors).holds)
     return cost
+
+
+def _by_chance(situation: Situation, idea: Idea) -> float:
+    """What it costs to stand as only others of its kind are to: one armchair to the left of the aquarium is not two."""
+    target, plan = situation.target, situation.observation.plan
+    own = {anchor for tie in target.ties for anchor in tie.anchors}
+    others = (t for t in plan.targets if t.category == target.category and t.request != target.request)
+    ties = {(tie.kind, tie.anchors) for t in others for tie in t.ties if tie.asked and tie.kind in _PLACING}
+    ties = {(kind, a) for kind, a in ties if len(a) == 1 and a[0] in situation.scene and a[0] not in own}
+    if not ties:
+        return 0.0
+    stands = placement_of(situation, idea)
+    return BY_CHANCE * sum(_is_at_side(stands, situation.scene[anchors[0]], kind) for kind, anchors in sorted(ties))
+
+
+def _is_at_side(stands: Placement, anchor: Placement, kind: str) -> bool:
+    """Whether something is next to another, or by and large on a side of it: in what opens like a fan from there."""
+    if kind == "next_to":
+        return float(stands.footprint.distance(anchor.footprint)) <= NEXT_TO
+    x, y = anchor.to_local(stands.position[:2])
+    out, aside = (x, y) if kind in ("in_front_of", "behind") else (y, x)
+    half, wide = anchor.size[kind in ("left_of", "right_of")] / 2, anchor.size[kind in ("in_front_of", "behind")] / 2
+    away = (out if kind in ("in_front_of", "left_of") else -out) - half
+    return -half / 2 <= away <= _SIDE and abs(aside) <= 1.25 * wide + max(away, 0.0)
 
 
 def _away(scene: Layout, id: str, tie: Tie) -> float:
