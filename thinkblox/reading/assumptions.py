@@ -956,12 +956,13 @@ def _has_place(draft: Draft, thing: Mention) -> bool:
 
 
 def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
-    """Whether a small thing is on or beside another, or may stand on the floor."""
+    """Whether a small thing is on, in or beside another, or may stand on the floor."""
     habits = load_habits()
     if any(habit.kind != "on" for habit in habits.of(thing.noun)):
         return True
     anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
-    return any(b.kind == "on" for b in draft.bonds_of(thing)) or any(habits.is_in(a.noun, "small") for a in anchors)
+    laid = any(b.kind in ("on", "inside") for b in draft.bonds_of(thing))
+    return laid or any(habits.is_in(a.noun, "small") for a in anchors)
 
 
 def _carrier(draft: Draft, carriers: list[str]) -> str:
