@@ -181,3 +181,85 @@ def test_what_each_of_two_at_the_sides_has_is_on_both(prompt: str) -> None:
     assert {anchor for _, anchors in on for anchor in anchors} == {"nightstand", "nightstand-2"}
     assert "2 table_lamp" in _asked(brief)
     assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked"),
+    [
+        ("My father repairs watches and clocks, and this is to be his workshop. A workbench.", "1 workbench"),
+        ("My wife bakes bread, the oven is next to the fridge.", "1 fridge, 1 oven"),
+        ("A waiting room. One fish tank, but not near the door, the kids bump into it.", "1 aquarium"),
+        ("Guests complain about room 12 of my hotel, so I want it redone. It gets two beds.", "2 bed"),
+        ("A record shop run by an old hippie, with two crates.", "2 crate"),
+        ("A kindergarten with a rug. The piano we used to have is gone, so don't add one.", "1 rug"),
+        ("A dorm room with one whiteboard nobody has wiped since october.", "1 whiteboard"),
+        ("A kitchen with a stove. No rug, the wheels get stuck.", "1 stove"),
+        ("A mail room for a parcel-sorting robot: a steel table.", "1 table"),
+        ("An assistive robot will work in this bedroom. It has a bed.", "1 bed"),
+        ("A workshop with a workbench. It stands under the window because he needs the light.", "1 workbench"),
+        ("A parlour straight out of 1962, a jukebox, that sugary smell.", "1 jukebox"),
+        ("A den for a retired sea captain to sulk in. A leather armchair.", "1 armchair"),
+        ("A bedroom for somebody with a dust allergy, so no rug. A bed.", "1 bed"),
+        ("Object-goal navigation episode in a living room. The target is a backpack on the sofa.", "1 backpack, 1 sofa"),
+        ("An 80s arcade. Soft light, six arcade cabinets, wherever you look.", "6 arcade_cabinet"),
+        ("Meeting room, to contain: a table; eight chairs.", "8 chair, 1 conference_table"),
+        ("A garage. A ladder leans against the wall.", "1 ladder"),
+    ],
+)
+def test_what_people_do_or_are_asks_for_nothing(prompt: str, asked: str) -> None:
+    brief = read_brief(prompt)
+    assert _asked(brief) == asked
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    "prompt", ["This is for my nursery. A crib.", "need nursery fast, a crib", "A nursery. Nothing but a crib."]
+)
+def test_the_kind_of_room_is_read(prompt: str) -> None:
+    assert read_brief(prompt).room_type == "nursery"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "asked", "attributes"),
+    [
+        ("A hall with a clock, or rather two.", "2 clock", {()}),
+        ("A study with a pine desk, no, an oak one.", "1 desk", {("oak",)}),
+        ("Two desks with two lamps, one lamp red and the other blue.", "2 desk, 2 desk_lamp", {(), ("red",), ("blue",)}),
+    ],
+)
+def test_second_thoughts_and_two_of_a_kind(prompt: str, asked: str, attributes: set[tuple[str, ...]]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert _asked(brief) == asked
+    assert {request.attributes for request in brief.requests} == attributes
+
+
+@pytest.mark.parametrize("none", ["not a single", "no", "but not one", "not even a"])
+def test_nothing_of_a_list_is_wanted(none: str) -> None:
+    brief = read_brief(f"An office with two desks, each with a laptop on it, and {none} chair, stool or sofa.")
+    assert set(brief.excluded) == {"chair", "stool", "sofa"}
+    assert brief.unknown == ()
+
+
+def test_exactly_one_of_more_is_one_of_them() -> None:
+    brief = read_brief("Two socks lie on the floor of a study, exactly one sock under the desk.", fill="named")
+    assert _asked(brief) == "1 desk, 2 sock"
+
+
+def test_benches_named_again_stand_where_they_are_said_to() -> None:
+    brief = read_brief("A dining room. We eat on benches: two pine benches, one on each long side of the table.")
+    assert "2 bench at_long_side dining_table" in related(brief)
+
+
+def test_what_is_inside_something_needs_nothing_to_lie_on() -> None:
+    brief = read_brief("A laundry room with a washing machine. Two detergent bottles are in the white wall cabinet.")
+    assert not any(request.category == "base_cabinet" for request in brief.requests)
+
+
+def test_no_more_of_what_is_counted_is_assumed() -> None:
+    brief = read_brief("A kitchen with a fridge, a stove and a cabinet.")
+    assert [r.category for r in brief.requests if r.category.endswith("cabinet")] == ["cabinet"]
+
+
+def test_what_a_sack_holds_is_in_its_name() -> None:
+    brief = read_brief("A shed with a soil sack.")
+    assert [(r.category, r.unshown) for r in brief.requests if r.asked] == [("soil_sack", ())]

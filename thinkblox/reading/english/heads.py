@@ -160,8 +160,9 @@ class Heads(Modifiers):
         return said.entry.value if same else ""
 
     def _modifiers(self, noun: Noun, units: list[Unit]) -> None:
-        """Nouns before the head tell what it is for; a word that nobody knows may change it."""
-        for unit in units:
+        """Nouns before the head tell what it is for, or what is in it; a word that nobody knows may change it."""
+        held = noun.kind == "thing" and self._text(noun.end - 1, noun.end).lower() in grammar().lists["holding"]
+        for unit in units if not held else ():
             words = unit.text.lower().split()
             if unit.known is None and not grammar().phrases.get(tuple(words)) and not is_purpose(words[-1]):
                 noun.unshown.append(unit.text.lower())

@@ -86,7 +86,7 @@ _RECEPTION = re.compile(r"\bthe reception(?= (?:has|needs|ought|must|should|is)\
 """The room, of which it is told how it looks."""
 _SEEN_FIRST = re.compile(r"\b(what (?:you|we|one|visitors|guests) (?:notice|see|spot|meet)s?) first\b", re.IGNORECASE)
 """What is there, told as what is seen."""
-_OUT_OF = re.compile(r"\bstraight (?:out of|from) [^,.:;!?\n]{1,40}(?=[,.:;!?\n]|$)", re.IGNORECASE)
+_OUT_OF = re.compile(r"\bstraight (?:out of|from) [^,.:;!?\n]{1,40}?(?=\s*[,.:;!?\n]| with\b|$)", re.IGNORECASE)
 """What a room reminds of."""
 _SMELL = re.compile(
     r"\b(?:that|the|a|some) (?:[\w-]+ ){0,2}(?:smell|scent|aroma|fragrance)(?: of [\w ]{1,30})?(?=\s*(?:[,.;:!\n]|and\b|$))",
@@ -143,6 +143,17 @@ _MOOD_LIGHT = re.compile(
     re.IGNORECASE,
 )
 """How light it is."""
+_WHO_HAS = re.compile(
+    r"\bfor (?:somebody|someone|people|an? (?:person|man|woman|child|boy|girl|family|couple|student|patient)|"
+    r"(?:my|our) \w+) with (?:an? |the )?(?:[\w-]+ ){0,2}"
+    r"(?:allerg(?:y|ies)|asthma|arthritis|dementia|autism|insomnia|migraines?|disabilit(?:y|ies)|back pain|vertigo)\b",
+    re.IGNORECASE,
+)
+"""Whom a room is for, and how they are."""
+_THE_REST = re.compile(
+    r"\b(the rest|the others?|the remaining (?:\w+)),(?= [a-z]+(?:[- ](?:and )?[a-z]+)?\s*(?:[.;!\n]|$))", re.IGNORECASE
+)
+"""A comma where a verb is left out: "the rest, grey"."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -204,6 +215,8 @@ _TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
     (_EPISODE, lambda said: "show"),
     (_TARGET, lambda said: "there is"),
     (_MOOD_LIGHT, lambda said: ""),
+    (_WHO_HAS, lambda said: ""),
+    (_THE_REST, lambda said: said[1]),
     (_THREE_D, lambda said: ""),
 )
 """What is read as what."""
