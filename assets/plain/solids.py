@@ -302,6 +302,19 @@ def ring(spec: Spec, main: Finish, accent: Finish) -> Build:
     return Build(body=body)
 
 
+def tyre(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a wheel lying with its rim of the accent; upright it is a ring, which does not roll.
+
+    It is solid: of many that lie on each other, rings touch in hundreds of points.
+    """
+    x, y, z = spec.size
+    if z > x:
+        return ring(spec, main, accent)
+    r, thin = min(x, y) / 2, 0.02 * z
+    body = [disc(spec.main(main), (0, 0), r, (0, z - thin)), disc(accent, (0, 0), 0.55 * r, (z - thin, z), collide=False)]
+    return Build(body=[*body, disc(spec.main(main), (0, 0), 0.14 * r, (z - 0.5 * thin, z), collide=False)])
+
+
 def crate(spec: Spec, main: Finish, accent: Finish) -> Build:
     """Return a box that is open at the top; things can be put into it, and on it where it is as low as a tray.
 
