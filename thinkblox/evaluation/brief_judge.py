@@ -223,6 +223,6 @@ def _room_rows(annotation: Annotation, brief: Brief) -> list[JudgedRow]:
         wanted = " x ".join(f"{side:g}" for side in demand.size)
         rows.append(JudgedRow(kind="room", about="size", demand=wanted, met=met, says=f"reads {says}"))
     if demand.shape is not None:
-        met = brief.shape == demand.shape
+        met = brief.shape == demand.shape or demand.shape in brief.style
         rows.append(JudgedRow(kind="room", about="shape", demand=demand.shape, met=met, says=f"reads {brief.shape}"))
     return rows

@@ -154,6 +154,7 @@ _YET = ("still", "already", "now", "always", "just", "also", "only")
 """Adverbs between "'s" and what it says."""
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
+_ONES = ("ones", "others", "thirds")
 _ARE = ("theyre", "youre")
 """The same with "are"."""
 _SHARED = ("theyd", "theyll", "theyve")
@@ -271,7 +272,8 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
     whole: list[Token] = []
     slashed = [*_slashed(tokens)]
     for at, token in enumerate(slashed):
-        told = token.owner and (token.text in _JOINED or _says_where(slashed[at + 1 : at + 4]))
+        after = slashed[at + 1 : at + 4]
+        told = token.owner and (token.text in _JOINED or _says_where(after) or _says_how(token, after))
         verb = "is" if told else "are" if token.text in _ARE else ""
         if verb:
             head = len(token.text) - (1 if verb == "is" else 2)
@@ -289,6 +291,12 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
         else:
             whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
+
+
+def _says_how(one: Token, after: list[Token]) -> bool:
+    """Whether a word that follows "one's" or "the other's" is all that is said of it, so that "'s" stands for "is"."""
+    ends = len(after) == 1 or (len(after) > 1 and (after[1].kind == "mark" or after[1].text == "and"))
+    return one.text in _ONES and ends and after[0].kind == "word"
 
 
 def _says_where(after: list[Token]) -> bool:

@@ -221,7 +221,8 @@ class Having(Groups):
         other = self._next_noun(2) if self._is_link(link, "prepositions") else None
         if other is None or other.kind != "pronoun":
             return False
-        return other.value == "each" or self._is_link(link, "prepositions", *_BESIDE)
+        bowl = noun.word in grammar().lists["bowls"] and self._is_link(link, "prepositions", "on", "on_top")
+        return other.value == "each" or bowl or self._is_link(link, "prepositions", *_BESIDE)
 
     def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is the sink of a vanity: what one washes at has one of its own."""
@@ -287,7 +288,8 @@ class Having(Groups):
         told = self._before(0)
         if isinstance(told, Connector) and told.text.lower().startswith(("which ", "that ")) and not self.separator:
             return nodes[0]
-        if self.separator == "comma" and noun is not None and self._lies_on_it(noun):
+        single = not nodes[0].things[-1].many or len(nodes) == 1
+        if self.separator == "comma" and noun is not None and single and self._lies_on_it(noun):
             return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
         last = self._before()

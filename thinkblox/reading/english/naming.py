@@ -395,8 +395,10 @@ class Naming(Several):
         if told is not None and (other is None or other.count is None):
             self._lose(noun.start, told.end)
         elif other is None:
-            other = next((t for t in self.referents.plural() if t.count), None)
-            if other is None:
+            counted = [t for t in self.referents.plural() if t.count]
+            alike = [t for t in counted if t.noun == noun.value]
+            other = next(iter(alike or counted), None)
+            if other is None or len(alike) > 1:
                 self._lose(noun.start, noun.end)
         family = self.referents.family(other) if other is not None else []
         return max(1, int(sum(map(self.referents.total, family)) * noun.share)) if family else None

@@ -25,6 +25,9 @@ def with_wholes(chunks: Sequence[Chunk]) -> list[Chunk]:
         if isinstance(part, Noun) and _is_end_at_wall(chunks, at):
             made.append(_whole_of(part))
             at += 1
+        elif isinstance(part, Noun) and part.kind == "part" and part.of_known and part.count == 1:
+            made.append(replace(part, of_known=False, plural=False))  # "At one of its long sides" is at one long side.
+            at += 1
         elif parted and (there or told) and isinstance(whole, Noun) and whole.kind == "thing":
             made.append(replace(whole, start=part.start))
             at += 3

@@ -154,6 +154,40 @@ _THE_REST = re.compile(
     r"\b(the rest|the others?|the remaining (?:\w+)),(?= [a-z]+(?:[- ](?:and )?[a-z]+)?\s*(?:[.;!\n]|$))", re.IGNORECASE
 )
 """A comma where a verb is left out: "the rest, grey"."""
+_PUT_IN = re.compile(r"\b((?:don't|do not) put) in(?= (?:any|a|an|more)\b)", re.IGNORECASE)
+"""An order not to have something."""
+_ASIDE = re.compile(
+    r"\(?\b(?:please )?(?:don't|do not) (?:laugh|ask(?: why| me)?|judge(?: me)?|worry|panic|ask questions)\b[.!]?\)?", re.IGNORECASE
+)
+"""What is said to the reader."""
+_UNWANTED = re.compile(
+    r"(?:^|(?<=[.!?;\n] ))(?:any )?([a-z][\w-]+(?: [\w-]+)?)(?:, (?:though|however),?| though)? (?:i|we) (?:don't|do not) (?:want|need)"
+    r"(?: to (?:see|have))?(?: there| here| in there)?(?=\s*[.;,!\n]|$)",
+    re.IGNORECASE,
+)
+"""What is named first and then not wanted."""
+_LEAST_OF_ALL = re.compile(
+    r"\bleast of all (?:an? |any |the )?([\w-]+(?: [\w-]+)?)(?:,? so (?:please )?(?:don't|do not) (?:add|put|place) (?:one|any|it|them))?"
+    r"(?=\s*[.;,!\n]|$)",
+    re.IGNORECASE,
+)
+"""What is wanted less than anything."""
+_NEEDS_NOTHING = re.compile(r"\bnobody needs anything\b", re.IGNORECASE)
+_AND_WHERE = re.compile(
+    r"(?:^|(?<=[.!?\n] ))(?:and |so )?(?:what(?:'s| is| goes| stands| lies| belongs| comes)? )?"
+    r"(on|in|under|above|beneath|inside|next to|beside|behind|in front of) ((?:the|my|our) [\w-]+(?: [\w-]+)?|it|them)\?"
+    r"(?= (?:an?|one|two|three|four|five|six|seven|eight|nine|ten|\d+|just|only)\b)",
+    re.IGNORECASE,
+)
+"""A question where something is, which is answered right after it."""
+_DAYS_BEFORE = re.compile(
+    r"\bfrom (?:the|those) (?:days|times?|years|age|era) (?:before|of|when) [^,.;:()!?\n]+", re.IGNORECASE
+)
+"""Of which time a room is."""
+_SO_NOT = re.compile(r"\(so (not (?:a single|one|any)) ([\w -]+?)!?\)", re.IGNORECASE)
+"""What is not there, told in brackets."""
+_OF_OWN = re.compile(r" of (?:its|their|his|her|my|our) own\b", re.IGNORECASE)
+"""What says no more of a thing than that nobody shares it."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -217,6 +251,15 @@ _TURNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...] = (
     (_MOOD_LIGHT, lambda said: ""),
     (_WHO_HAS, lambda said: ""),
     (_THE_REST, lambda said: said[1]),
+    (_PUT_IN, lambda said: said[1]),
+    (_ASIDE, lambda said: ""),
+    (_UNWANTED, lambda said: f"no {said[1]}"),
+    (_LEAST_OF_ALL, lambda said: f"no {said[1]}"),
+    (_NEEDS_NOTHING, lambda said: "is nothing"),
+    (_AND_WHERE, lambda said: f"{said[1].lower()} {said[2]}:"),
+    (_DAYS_BEFORE, lambda said: ""),
+    (_SO_NOT, lambda said: f", no {said[2]},"),
+    (_OF_OWN, lambda said: ""),
     (_THREE_D, lambda said: ""),
 )
 """What is read as what."""

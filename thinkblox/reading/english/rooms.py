@@ -42,6 +42,7 @@ _WITH_KITCHENS = ("studio", "loft", "cabin", "attic", "camper_van", "houseboat",
 """Rooms to live in, where a kitchen is a part of what stands there."""
 _OPPOSITE = "opposite"
 _HALL = "hallway"
+_WALKED_INTO = "walk_in_closet"
 _CLOSET = "toilet_room"
 """The room that "a loo under the stairs" is."""
 
@@ -195,6 +196,9 @@ class Rooms(Memberships):
         if self._place_of_label(noun) is not None:
             self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
+        if self._is_walked_into(noun):
+            self._room(replace(noun, kind="room", value=_WALKED_INTO))
+            return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
@@ -230,6 +234,12 @@ class Rooms(Memberships):
         """Whether another thing follows its comma: "a gizmo, a sofa and a lamp"; what has no article is a heading."""
         other = self._next_noun(1) if self._is_link(self.peek(), "mark", "comma") else None
         return noun.det == "a" and other is not None and other.kind == "thing" and bool(other.det or other.count)
+
+    def _is_walked_into(self, noun: Noun) -> bool:
+        """Whether a closet is the room: "the closet has a wardrobe against the wall"."""
+        has = self._is_link(self.peek(), "prepositions", "with") or self._is_link(self.peek(), "verbs", "have", "hold")
+        other = self._next_noun(1) if has and noun.text.lower().split()[-1] == "closet" and not noun.many else None
+        return other is not None and other.kind == "thing" and not self._belongs(other.value, "small")
 
     def _place_of_label(self, noun: Noun) -> Noun | None:
         """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
