@@ -7,6 +7,9 @@ from thinkblox.assets.part import Build, Finish, Part
 from thinkblox.assets.shapes import around, box, cylinder, disc, ellipsoid, frustum, profile, rod, sphere
 from thinkblox.assets.spec import Spec
 
+_BAR = 1.7
+"""What is so many times as wide as it is deep is a bar."""
+
 
 def floor_lamp(spec: Spec) -> Build:
     """Return a standing lamp: a drum shade on a pole or on a tripod."""
@@ -73,8 +76,10 @@ def desk_lamp(spec: Spec) -> Build:
 
 
 def pendant_lamp(spec: Spec) -> Build:
-    """Return a lamp that hangs on a cord: a cone, a dome or a globe."""
+    """Return a lamp that hangs on a cord: a cone, a dome or a globe; a long one is a bar that hangs on two."""
     x, y, z = spec.size
+    if y > _BAR * x:
+        return _bar_lamp(spec)
     radius = min(x, y) / 2
     deep = min(0.5 * z, 1.1 * radius)
     metal = spec.main(spec.choice((spec.style.metal, spec.style.glaze, IRON)))
@@ -93,6 +98,18 @@ def pendant_lamp(spec: Spec) -> Build:
             [(0.01, radius), (0.45 * deep, 0.86 * radius), (0.8 * deep, 0.5 * radius), (deep, 0.14 * radius)],
         )
     return Build(body=[*body, disc(GLOW, (0, 0), 0.88 * radius, (0, 0.01))])
+
+
+def _bar_lamp(spec: Spec) -> Build:
+    x, y, z = spec.size
+    metal, high = spec.main(spec.choice((spec.style.metal, spec.style.glaze, IRON))), min(0.12, 0.3 * z)
+    body: list[Part] = [
+        box(metal, (-x / 2, x / 2), (-y / 2, y / 2), (0.012, high)),
+        box(GLOW, around(0, 0.86 * x), around(0, 0.94 * y), (0, 0.012)),
+        box(metal, around(0, 0.6 * x), around(0, 0.5 * y), (z - 0.025, z)),
+    ]
+    body += [disc(IRON, (0, side * 0.2 * y), 0.004, (high, z - 0.025)) for side in (-1, 1)]
+    return Build(body=body)
 
 
 def ceiling_lamp(spec: Spec) -> Build:

@@ -34,6 +34,8 @@ _PLACE, _KNEES = 0.5, 0.65
 """Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
 _FULL_HEIGHT = 2.1
 """From this height on a thing reaches from the floor to about the ceiling of a low room [m]."""
+_LONG = 1.7
+"""How many times as long as wide is what is called long."""
 _SAME_SIZE = 0.01
 """Extents that a word changes by less do not tell whether it was heeded [m]."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
@@ -77,6 +79,13 @@ def _is_round(asset: Asset) -> bool:
     upright = asset.mount == "wall" or asset.size[0] <= asset.size[2]
     plans = ((0, 1), (1, 2)) if upright else ((0, 1),)
     return any(_covers(shape, a, b, asset.size) for shape in _shapes(asset) for a, b in plans)
+
+
+def _is_long(asset: Asset) -> bool:
+    """It is by far longer than wide, or, hung on a wall, than high."""
+    x, y, z = asset.size
+    short, long = sorted((y, z) if asset.mount == "wall" else (x, y))
+    return long >= _LONG * short
 
 
 def _covers(shape: Shape, a: int, b: int, size: Vec3) -> bool:
@@ -136,6 +145,7 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
     "square": _is_square,
     "rectangular": _is_rectangular,
     "oval": _is_oval,
+    "long": _is_long,
     "dark": lambda asset: _brightness(asset) < 0.45,
     "light": lambda asset: _brightness(asset) > 0.55,
     "wicker": _is_wicker,
@@ -160,9 +170,7 @@ def _heeded(asset: Asset, attribute: str) -> bool:
 
 
 @lru_cache(maxsize=256)
-def _change(
-    category: str, seed: int, attributes: tuple[str, ...], word: str, revision: int
-) -> tuple[bool, Vec3, Vec3]:
+def _change(category: str, seed: int, attributes: tuple[str, ...], word: str, revision: int) -> tuple[bool, Vec3, Vec3]:
     """Whether a word makes another asset of one, and the extents of that with and without it [m]."""
     told = make_asset(category, seed=seed, attributes=attributes)
     untold = make_asset(category, seed=seed, attributes=_without(attributes, word))

@@ -11,9 +11,7 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
     "stacked": frozenset({"book_stack", "towels"}),
     "framed": frozenset({"picture", "photo_frame", "mirror", "standing_mirror", "painting"}),
-    "closed": frozenset(
-        "book book_stack notebook umbrella suitcase backpack toilet toolbox box pizza_box jar".split()
-    ),
+    "closed": frozenset("book book_stack notebook umbrella suitcase backpack toilet toolbox box pizza_box jar".split()),
     "swivel": frozenset({"office_chair"}),
     "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),

@@ -200,7 +200,10 @@ def test_what_each_of_two_at_the_sides_has_is_on_both(prompt: str) -> None:
         ("A parlour straight out of 1962, a jukebox, that sugary smell.", "1 jukebox"),
         ("A den for a retired sea captain to sulk in. A leather armchair.", "1 armchair"),
         ("A bedroom for somebody with a dust allergy, so no rug. A bed.", "1 bed"),
-        ("Object-goal navigation episode in a living room. The target is a backpack on the sofa.", "1 backpack, 1 sofa"),
+        (
+            "Object-goal navigation episode in a living room. The target is a backpack on the sofa.",
+            "1 backpack, 1 sofa",
+        ),
         ("An 80s arcade. Soft light, six arcade cabinets, wherever you look.", "6 arcade_cabinet"),
         ("Meeting room, to contain: a table; eight chairs.", "8 chair, 1 conference_table"),
         ("A garage. A ladder leans against the wall.", "1 ladder"),
@@ -224,7 +227,11 @@ def test_the_kind_of_room_is_read(prompt: str) -> None:
     [
         ("A hall with a clock, or rather two.", "2 clock", {()}),
         ("A study with a pine desk, no, an oak one.", "1 desk", {("oak",)}),
-        ("Two desks with two lamps, one lamp red and the other blue.", "2 desk, 2 desk_lamp", {(), ("red",), ("blue",)}),
+        (
+            "Two desks with two lamps, one lamp red and the other blue.",
+            "2 desk, 2 desk_lamp",
+            {(), ("red",), ("blue",)},
+        ),
     ],
 )
 def test_second_thoughts_and_two_of_a_kind(prompt: str, asked: str, attributes: set[tuple[str, ...]]) -> None:

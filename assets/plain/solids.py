@@ -311,8 +311,10 @@ def tyre(spec: Spec, main: Finish, accent: Finish) -> Build:
     if z > x:
         return ring(spec, main, accent)
     r, thin = min(x, y) / 2, 0.02 * z
-    body = [disc(spec.main(main), (0, 0), r, (0, z - thin)), disc(accent, (0, 0), 0.55 * r, (z - thin, z), collide=False)]
-    return Build(body=[*body, disc(spec.main(main), (0, 0), 0.14 * r, (z - 0.5 * thin, z), collide=False)])
+    rubber = spec.main(main)
+    rim = disc(accent, (0, 0), 0.55 * r, (z - thin, z), collide=False)
+    hub = disc(rubber, (0, 0), 0.14 * r, (z - 0.5 * thin, z), collide=False)
+    return Build(body=[disc(rubber, (0, 0), r, (0, z - thin)), rim, hub])
 
 
 def crate(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -181,7 +181,7 @@ def _shared_by_two(relation: Relation, subjects: list[Member], anchors: list[Mem
 
 
 def _goes_on(brief: Brief, relation: Relation, members: Members) -> bool:
-    """Whether others alike, of another look, stand by the same: three orange chairs and three grey ones by six desks."""
+    """Whether others alike stand by the same: three orange chairs and three grey ones by six desks."""
     alike = {member.category for member in members.by_request[relation.subject]}
     others = (r for r in brief.relations if r.subject != relation.subject and r.subject in members.by_request)
     same = (r for r in others if (r.kind, r.anchors) == (relation.kind, relation.anchors))

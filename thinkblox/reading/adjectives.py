@@ -12,7 +12,7 @@ LOOKS_BY_DEGREE: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("big", "large", "huge"), ("large", "big", "huge", "wide", "long", "tall")),
     **dict.fromkeys(("small", "little", "tiny"), ("small", "tiny", "little", "low", "narrow", "short")),
     **dict.fromkeys(("tall", "high"), ("tall", "high")),
-    **{word: (word,) for word in ("long", "short", "wide", "narrow", "low", "old", "new", "deep", "shallow", "thick", "thin")},
+    **{word: (word,) for word in "long short wide narrow low old new deep shallow thick thin".split()},
 }
 """What is said of the one of several that is meant by a degree: "the larger table" is the one said to be large."""
 _NO_DEGREES = ("lower", "latter", "former")

@@ -219,7 +219,8 @@ def pull_up(draft: Draft) -> None:
     A till at the counter, which has its place on one, is on it; the one chair next to a desk is drawn up to it.
     """
     habits = load_habits()
-    draft.bonds += [Bond("at", b.subject, b.anchors, each=b.each, asked=False) for b in draft.bonds if _is_alone(draft, b)]
+    alone = [bond for bond in draft.bonds if _is_alone(draft, bond)]
+    draft.bonds += [Bond("at", bond.subject, bond.anchors, each=bond.each, asked=False) for bond in alone]
     for bond in draft.bonds:
         anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
         if not isinstance(anchor, Mention) or bond.negated:

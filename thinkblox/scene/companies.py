@@ -83,7 +83,7 @@ def _around(members: list[Landmark], anchor: Landmark) -> Finding:
 def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
     """Its centre is in what the anchors span together, give or take its own half depth, and in none of them.
 
-    Between two of a kind it is next to both: that is where a nightstand is between two beds.
+    Between two that do not look at each other it is next to both: that is where a nightstand is between two beds.
     """
     others = [a for a in anchors if a.name != subject.name]
     names = ", ".join(a.name for a in others)
@@ -95,10 +95,16 @@ def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
     text = f"{subject.name} {off:.2f} m out of the space between {names}"
     text += f"; within {', '.join(inside)}" if inside else ""
     holds = off <= min(subject.half) and not inside
-    if len(others) == len(("one", "other")) and len({a.name.rpartition("_")[0] for a in others}) == 1:
+    if len(others) == len(("one", "other")) and not _look_at_each_other(*others):
         away = max(gap(subject, a) for a in others)
         return holds and away <= NEXT_TO + ROUNDING, f"{text}, at most {away:.2f} m from each"
     return holds, text
+
+
+def _look_at_each_other(one: Landmark, other: Landmark) -> bool:
+    """Whether one of two different things is before the other, as a sofa is before a television."""
+    alike = one.name.rpartition("_")[0] == other.name.rpartition("_")[0]
+    return not alike and any(a.front != "any" and facing(a, b)[0] for a, b in ((one, other), (other, one)))
 
 
 def in_rows(members: list[Landmark], rows: int) -> Finding:

@@ -277,7 +277,7 @@ def _above(subject: Landmark, anchor: Landmark) -> Finding:
 
 def _is_in_line(subject: Landmark, anchor: Landmark) -> bool:
     """Whether the middle of what hangs on a wall is over the width of what stands before that."""
-    across = [subject.to_local(corner)[1] for corner in anchor.footprint.envelope.exterior.coords]
+    across = [subject.to_local(corner)[1] for corner in anchor.footprint.convex_hull.boundary.coords]
     return not subject.hung or min(across) - ROUNDING <= 0.0 <= max(across) + ROUNDING
 
 

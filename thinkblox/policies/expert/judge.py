@@ -21,10 +21,13 @@ from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.sight import sight_costs
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
+from thinkblox.scene.bearings import bearing
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.pairs import NEXT_TO
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
-from thinkblox.scene.pairs import NEXT_TO
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.support import ON_FLOOR
 from thinkblox.value import Vec3
 
@@ -36,6 +39,10 @@ ZONED = 4.0
 LEADING = 4.5
 """How quickly that changes over the room for them, as a share of it: what is slow keeps them in the middle of walls."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
+BARELY_BESIDE, _SURELY_BESIDE = 3.0, 0.3
+"""Cost of being next to a thing only by the boxes around both, which their surfaces are inside of [m]."""
+BARELY_FACING, _SURELY_FACING = 2.0, 27.0
+"""Cost of looking at a side of a thing rather than its middle, by more than so much [degrees]."""
 BY_CHANCE = 3.0
 """Cost of a relation that only others of its kind are to have."""
 _SIDE = 2.5
@@ -264,10 +271,25 @@ def _unmet(situation: Situation, idea: Idea) -> float:
             other = _holds_with_another(situation, scene, tie)
             cost += UNMET_HABIT * (tie.asked or not other) if other or not tie.asked else UNMET_ASKED
             cost += _away(scene, situation.target.id, tie)
+        elif tie.asked and tie.kind == "next_to" and all(is_object(a) for a in tie.anchors):
+            own = scene[situation.target.id].footprint
+            apart = max(float(own.distance(scene[a].footprint)) for a in tie.anchors)
+            cost += BARELY_BESIDE * (apart > _SURELY_BESIDE)
+        elif tie.asked and tie.kind == "facing" and len(tie.anchors) == 1 and is_object(tie.anchors[0]):
+            cost += BARELY_FACING * (_off_middle(scene, situation.target.id, tie.anchors[0]) > _SURELY_FACING)
     for due in situation.target.due:
         if all(id in scene for id in (due.subject, *due.tie.anchors)):
             cost += UNMET_ASKED * (not measure(scene, due.tie.kind, due.subject, due.tie.anchors).holds)
     return cost
+
+
+def _off_middle(scene: Layout, id: str, anchor: str) -> float:
+    """By how much a thing looks past the middle of another [degrees]; 0 where it looks every way."""
+    (one,), (other,) = things(scene, id), things(scene, anchor)
+    if one.front == "any" or other.hung:
+        return 0.0
+    turn = turn_between(one.gaze, bearing(one.centre, other.centre))
+    return min(turn, 180.0 - turn) if one.front == "two" else turn
 
 
 def _by_chance(situation: Situation, idea: Idea) -> float:

@@ -149,7 +149,8 @@ class Doubts(Corrections):
         """What is said of what has to lie on something and is only in the middle, or in a corner."""
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
-        of_room = any(isinstance(c, Noun) and c.value == "corner" and c.text.endswith("of the room") for c in self.chunks)
+        corners = [c for c in self.chunks if isinstance(c, Noun) and c.value == "corner"]
+        of_room = any(corner.text.endswith("of the room") for corner in corners)
         where = "corner" if bond.kind == "in_corner" and not (of_room or self._has_carrier(bond.subject)) else where
         lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
         hung = self.habits.is_in(bond.subject.noun, "wallpieces") and kind_of(bond.subject.noun).size[2] < _FULL_HEIGHT

@@ -288,6 +288,8 @@ class Meanings:
         """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""
         last = likely[0] if likely else None
         things = self.referents.draft.things
+        if last is not None and (listed := self._listed_with(last)) is not None:
+            return (listed, last)
         before = self._beside_room(things[: things.index(last)]) if last in things[1:] else None
         few = last is not None and last.many and (last.count or _SEVERAL) < _SEVERAL
         if last is None or before is None or not before.asked:
@@ -298,6 +300,15 @@ class Meanings:
         walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
         opposite = any(b.kind in ("opposite", "facing") and before in b.anchors for b in where)
         return (before, last) if walls or opposite else ()
+
+    def _listed_with(self, last: Mention) -> Mention | None:
+        """The one named just before another of which the same is told: "across from it are a drum kit and a piano"."""
+        things = self.referents.draft.things
+        before = things[things.index(last) - 1] if last in things[1:] else None
+        if before is None or before.many or last.many:
+            return None
+        told, also = ({(b.kind, b.anchors) for b in self.referents.draft.bonds_of(t)} for t in (last, before))
+        return before if told and told == also and any(kind == "opposite" for kind, _ in told) else None
 
     def _beside_room(self, things: list[Mention]) -> Mention | None:
         """The last of some things that is not merely another's, as the ladders of beds are."""

@@ -193,11 +193,9 @@ class Rooms(Memberships):
         if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
-        if self._place_of_label(noun) is not None:
-            self._room(replace(noun, kind="room", value=_room_of(noun)))
-            return True
-        if self._is_walked_into(noun):
-            self._room(replace(noun, kind="room", value=_WALKED_INTO))
+        walked_into = self._is_walked_into(noun)
+        if walked_into or self._place_of_label(noun) is not None:
+            self._room(replace(noun, kind="room", value=_WALKED_INTO if walked_into else _room_of(noun)))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
