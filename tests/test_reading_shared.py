@@ -386,7 +386,7 @@ def test_what_is_between_them_is_in_none(prompt: str, relation: str) -> None:
     [
         (
             "Over the workbench a pegboard, tires stacked in the back corner, and a bike by the door.",
-            {"pegboard above workbench", "tires in_corner far_wall", "bicycle next_to door"},
+            {"pegboard above workbench", "tire in_corner far_wall", "bicycle next_to door"},
         ),
         (
             "On the left wall a shelf, and a lamp hanging from the ceiling.",

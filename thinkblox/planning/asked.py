@@ -58,6 +58,28 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
             _add(members, subject, anchors, relation, index, len(subjects))
     elif keys:
         _share_out(brief, relation, subjects, members.by_request[keys[0]], members)
+    if relation.kind == "between":
+        for subject in subjects:
+            _tie_beside_both(brief, subject, members)
+
+
+def _tie_beside_both(brief: Brief, subject: Member, members: Members) -> None:
+    """What stands between two others is next to both, unless these look at each other: a nightstand between two beds."""
+    tie = next((tie for tie in subject.ties if tie.kind == "between" and tie.asked and len(tie.anchors) == 2), None)
+    if tie is None or subject.mount != "floor":
+        return
+    pair = [member for member in members.all if member.id in tie.anchors]
+    if len(pair) == 2 and all(member.mount == "floor" for member in pair) and not _are_opposite(brief, *pair):
+        subject.ties += [Tie(kind="next_to", anchors=(member.id,)) for member in pair]
+
+
+def _are_opposite(brief: Brief, one: Member, other: Member) -> bool:
+    """Whether one of two looks at the other, as asked or usually: a sofa and what a television stands on."""
+    keys = {one.request.key, other.request.key}
+    kinds = {r.kind for r in brief.relations if r.subject in keys and keys.issuperset(r.anchors) and r.anchors}
+    habits = load_habits()
+    kinds |= {habits.tie(one.category, other.category), habits.tie(other.category, one.category)}
+    return not kinds.isdisjoint(("facing", "opposite"))
 
 
 def _gaps(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> list[tuple[Member, Member]]:

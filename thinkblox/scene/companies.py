@@ -7,7 +7,7 @@ from shapely import Point, unary_union
 
 from thinkblox.scene.bearings import bearing, gap, ground_gap, place_of
 from thinkblox.scene.landmarks import Landmark
-from thinkblox.scene.pairs import NEXT_TO, ROUNDING, Finding, Pair, every, facing, side_taken
+from thinkblox.scene.pairs import ROUNDING, Finding, Pair, every, facing, side_taken
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
@@ -81,10 +81,7 @@ def _around(members: list[Landmark], anchor: Landmark) -> Finding:
 
 
 def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
-    """Its centre is in what the anchors span together, give or take its own half depth, and in none of them.
-
-    Between two that do not look at each other it is next to both: that is where a nightstand is between two beds.
-    """
+    """Its centre is in what the anchors span together, give or take its own half depth, and in none of them."""
     others = [a for a in anchors if a.name != subject.name]
     names = ", ".join(a.name for a in others)
     if len(others) < 2:
@@ -94,17 +91,7 @@ def between(subject: Landmark, anchors: list[Landmark]) -> Finding:
     inside = [a.name for a in others if a.kind == "object" and a.footprint.covers(centre)]
     text = f"{subject.name} {off:.2f} m out of the space between {names}"
     text += f"; within {', '.join(inside)}" if inside else ""
-    holds = off <= min(subject.half) and not inside
-    if len(others) == len(("one", "other")) and not _look_at_each_other(*others):
-        away = max(gap(subject, a) for a in others)
-        return holds and away <= NEXT_TO + ROUNDING, f"{text}, at most {away:.2f} m from each"
-    return holds, text
-
-
-def _look_at_each_other(one: Landmark, other: Landmark) -> bool:
-    """Whether one of two different things is before the other, as a sofa is before a television."""
-    alike = one.name.rpartition("_")[0] == other.name.rpartition("_")[0]
-    return not alike and any(a.front != "any" and facing(a, b)[0] for a, b in ((one, other), (other, one)))
+    return off <= min(subject.half) and not inside, text
 
 
 def in_rows(members: list[Landmark], rows: int) -> Finding:

@@ -199,7 +199,7 @@ class Rooms(Memberships):
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
-        roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
+        roomish = noun.text.lower().split()[-1] in (*grammar().lists["rooms"], *grammar().lists["closets"])
         part_of = self._is_link(after, "prepositions", "of", "at", "in", "on", "for") and not noun.det
         whole = self._next_noun(1) if part_of else None
         if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
