@@ -64,7 +64,7 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
 
 
 def _tie_beside_both(brief: Brief, subject: Member, members: Members) -> None:
-    """What stands between two others is next to both, unless these look at each other: a nightstand between two beds."""
+    """What stands between two others is next to both, unless one of these looks at the other."""
     tie = next((tie for tie in subject.ties if tie.kind == "between" and tie.asked and len(tie.anchors) == 2), None)
     if tie is None or subject.mount != "floor":
         return
