@@ -1,0 +1,75 @@
+"""What is asked for in number and place is there in that number and place, and not by a hair or by chance."""
+
+import msgspec
+import pytest
+from msgspec.structs import replace
+
+from thinkblox.assets import make_asset
+from thinkblox.assets.showing import realised
+from thinkblox.generate import generate_room
+from thinkblox.scene.relations import measure
+
+
+def _held(prompt: str, kind: str, subject: str) -> list[bool]:
+    """Whether each relation of a kind and of a category of subjects holds in the room of a prompt."""
+    report = generate_room(prompt, seed=0).report
+    return [r.holds for r in report.relations if r.kind == kind and r.subject.startswith(subject)]
+
+
+def test_what_is_between_two_beds_is_next_to_both() -> None:
+    prompt = "A sickroom with two beds. Between the two beds is a white cabinet. A folding screen is in the corner."
+    assert _held(prompt, "next_to", "cabinet") == [True, True]
+
+
+def test_hooks_hang_over_the_bench_and_not_beside_it() -> None:
+    room = generate_room(
+        "A hall with a bench against the wall and five coat hooks on the wall above the bench.", seed=0
+    )
+    bench = room.scene["bench_1"]
+    hooks = [p for p in room.scene.placements if p.category == "coat_hooks"]
+    assert len(hooks) == 5
+    assert all(abs(bench.to_local(hook.position[:2])[1]) <= bench.size[1] / 2 for hook in hooks)
+
+
+def test_a_chair_next_to_each_desk_is_drawn_up_to_it() -> None:
+    room = generate_room("A classroom with six student desks, each with a blue chair next to it.", seed=0)
+    chairs = [p.id for p in room.scene.placements if p.category == "chair"]
+    desks = [p.id for p in room.scene.placements if p.category == "school_desk"]
+    taken = [[desk for desk in desks if measure(room.scene, "at", chair, (desk,)).holds] for chair in chairs]
+    assert sorted(found[0] for found in taken) == sorted(desks)
+
+
+def test_chairs_of_two_colours_have_a_desk_each() -> None:
+    prompt = (
+        "A loft with four desks; next to each desk is a swivel chair. Two of the swivel chairs are orange, "
+        "the other two grey."
+    )
+    report = generate_room(prompt, seed=0).report
+    desks = [r.anchors for r in report.relations if r.kind == "next_to" and r.subject.startswith("office_chair")]
+    assert len(set(desks)) == len(desks) == 4
+    assert report.complete
+
+
+@pytest.mark.parametrize(("share", "shown"), [(1.0, True), (1.35, False)])
+def test_a_narrow_desk_that_was_made_wider_is_not_narrow(share: float, shown: bool) -> None:
+    desk = make_asset("desk", seed=1, attributes=("narrow",))
+    wider = replace(desk, size=(desk.size[0] * share, desk.size[1] * share, desk.size[2]))
+    assert realised(wider, "narrow") is shown
+
+
+def test_a_long_lamp_is_a_bar() -> None:
+    lamp = make_asset("pendant_lamp", seed=1, attributes=("long",))
+    assert realised(lamp, "long")
+    assert not realised(make_asset("pendant_lamp", seed=1), "long")
+
+
+def test_a_lying_tyre_is_one_solid() -> None:
+    tyre = make_asset("tire", seed=1)
+    assert sum(shape.collide for link in tyre.links for shape in link.shapes) == 1
+    assert msgspec.json.encode(tyre)
+
+
+def test_a_thing_inside_another_calls_for_nothing_to_lie_on() -> None:
+    prompt = "A bathroom with a wall cabinet. Two towels are inside the wall cabinet."
+    asked = {p.category for p in generate_room(prompt, seed=0, fill="named").scene.placements}
+    assert asked == {"wall_cabinet", "towels"}
