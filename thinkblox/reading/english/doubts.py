@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.plain import shape_of
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.antecedents import OpenReference
@@ -149,10 +150,12 @@ class Doubts(Corrections):
         """What is said of what has to lie on something and is only in the middle, or in a corner."""
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
-        corners = [c for c in self.chunks if isinstance(c, Noun) and c.value == "corner"]
-        of_room = any(corner.text.endswith("of the room") for corner in corners)
-        where = "corner" if bond.kind == "in_corner" and not (of_room or self._has_carrier(bond.subject)) else where
+        places = [c for c in self.chunks if isinstance(c, Noun) and c.kind == "place"]
+        of_room = {"middle" if c.value == "centre" else c.value for c in places if c.text.endswith("of the room")}
+        where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
         lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
+        plant = self.habits.is_in(bond.subject.noun, "plants") or shape_of(kind_of(bond.subject.noun)) == "tuft"
+        where = "" if where in of_room and (plant or not lies) else where
         hung = self.habits.is_in(bond.subject.noun, "wallpieces") and kind_of(bond.subject.noun).size[2] < _FULL_HEIGHT
         lies |= where == "middle" and hung
         return f"{bond.subject.text} in the {where} (of what?)" if where and lies else ""

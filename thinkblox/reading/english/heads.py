@@ -111,7 +111,7 @@ class Heads(Modifiers):
         before = noun.end - len(" ".join(unit.text for unit in units.nouns).split()) - 1
         look = self._text(before, before + 1).lower() if before >= noun.start else ""
         whole = thing_called(f"{look} {name}", 1 + len(name.split())) if look else None
-        return f"{look} {name}" if whole is not None and whole.category == noun.value else name
+        return f"{look} {name}" if whole is not None and whole.category.endswith(noun.value) else name
 
     def _no_hallway(self, noun: Noun, nouns: list[Unit]) -> None:
         """Take a hall of some kind that we do not know for a room: a village hall is no hallway."""

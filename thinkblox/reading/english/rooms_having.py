@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
 from thinkblox.reading.english.said import is_link
 
 _CENTRED = ("centred", "centered", "built", "arranged", "organised", "organized")
@@ -12,6 +12,7 @@ def with_rooms_having(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the room has all of it, rather than what it has first having the rest."""
     made: list[Chunk] = []
     of_room, at = False, 0
+    chunks = _without_in_it(chunks)
     while at < len(chunks):
         last = made[-1] if made else None
         room = isinstance(last, Noun) and last.kind == "room"
@@ -25,6 +26,23 @@ def with_rooms_having(chunks: Sequence[Chunk]) -> list[Chunk]:
             length = 1
         of_room = (of_room or (room and bool(_filling(chunks, at)))) and not is_link(chunks[at], "mark", "stop")
         at += length
+    return made
+
+
+def _without_in_it(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks of "a bedroom with a bed in it", where the room has it: nothing else was named that could."""
+    made = list(chunks)
+    for at in range(len(made) - 1, 0, -1):
+        within, it = (*made[at : at + 2], None)[:2]
+        end = made[at + 2] if at + 2 < len(made) else None
+        ends = end is None or is_link(end, "mark", "stop", "semicolon") or is_link(end, "mark", "comma")
+        pointed = isinstance(it, Noun) and (it.kind, it.value) == ("pronoun", "it")
+        if not (pointed and ends and is_link(within, "prepositions", "in", "inside")):
+            continue
+        start = next((n + 1 for n in range(at - 1, -1, -1) if is_link(made[n], "mark", "stop", "semicolon")), 0)
+        named = [chunk.kind for chunk in made[start:at] if isinstance(chunk, Noun)]
+        if named == ["room", "thing"]:
+            made[at : at + 2] = [filler(chunk) for chunk in made[at : at + 2]]
     return made
 
 
