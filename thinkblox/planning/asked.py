@@ -76,10 +76,10 @@ def _tie_beside_both(brief: Brief, subject: Member, members: Members) -> None:
 def _are_opposite(brief: Brief, one: Member, other: Member) -> bool:
     """Whether one of two looks at the other, as asked or usually: a sofa and what a television stands on."""
     keys = {one.request.key, other.request.key}
-    kinds = {r.kind for r in brief.relations if r.subject in keys and keys.issuperset(r.anchors) and r.anchors}
     habits = load_habits()
-    kinds |= {habits.tie(one.category, other.category), habits.tie(other.category, one.category)}
-    return not kinds.isdisjoint(("facing", "opposite"))
+    usual = {habits.tie(one.category, other.category), habits.tie(other.category, one.category)}
+    told = {r.kind for r in brief.relations if r.subject in keys and keys.issuperset(r.anchors) and r.anchors}
+    return not (usual | told).isdisjoint(("facing", "opposite"))
 
 
 def _gaps(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> list[tuple[Member, Member]]:
