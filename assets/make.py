@@ -23,6 +23,7 @@ from thinkblox.assets.repaint import of_kind, repainted
 from thinkblox.assets.sizing import checked_size, is_stood, lain, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
+from thinkblox.assets.stripes import patterned
 from thinkblox.errors import InputError
 from thinkblox.scene.asset import Asset, Link, Mount, Surface
 from thinkblox.value import Vec3
@@ -104,6 +105,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     forms = words & {FOR_LONG, *(category.forms[role] for role in ("holds", "carries") if role in category.forms)}
     build = fitted(opened(made, forms, round=(made.front or category.front) == "any") if forms else made, size)
     links, mount = links_of(build, size), mount_of(category, words)
+    painted = repainted(links, words)
     surfaces = _topped(category, tuple(build.surfaces) or _found(category, mount, links, size))
     asset = Asset(
         id="",
@@ -113,7 +115,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
         mass=mass_of(category, size),
         friction=category.friction,
         mount=mount,
-        links=repainted(links, words),
+        links=patterned(painted, words),
         front=build.front or category.front,
         clearance=category.clearance,
         surfaces=surfaces,

@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from thinkblox.assets import make_asset
 from thinkblox.assets.showing import realised
 from thinkblox.generate import generate_room
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.relations import measure
 
 
@@ -73,3 +74,23 @@ def test_a_thing_inside_another_calls_for_nothing_to_lie_on() -> None:
     prompt = "A bathroom with a wall cabinet. Two towels are inside the wall cabinet."
     asked = {p.category for p in generate_room(prompt, seed=0, fill="named").scene.placements}
     assert asked == {"wall_cabinet", "towels"}
+
+
+@pytest.mark.parametrize("pattern", ["striped", "checked"])
+@pytest.mark.parametrize("category", ["rug", "pillow", "sofa", "blanket"])
+@pytest.mark.parametrize("colour", ["red", "white", "yellow"])
+def test_cloth_has_the_pattern_and_keeps_its_colour(category: str, pattern: str, colour: str) -> None:
+    made = make_asset(category, seed=3, attributes=(colour, pattern))
+    assert realised(made, pattern)
+    assert realised(made, colour)
+    plain = make_asset(category, seed=3, attributes=(colour,))
+    assert _touched(made) == _touched(plain)
+
+
+def _touched(asset: Asset) -> int:
+    """How many of its shapes collide."""
+    return sum(shape.collide for link in asset.links for shape in link.shapes)
+
+
+def test_a_wooden_table_cannot_be_striped() -> None:
+    assert not realised(make_asset("table", seed=1, attributes=("striped",)), "striped")
