@@ -167,7 +167,7 @@ def test_what_is_not_sure_is_said(prompt: str, unsure: str) -> None:
 
 @pytest.mark.parametrize("prompt", ["A striped rug.", "Three cushions, two of them striped."])
 def test_a_pattern_is_asked_of_the_thing(prompt: str) -> None:
-    assert any("striped" in request.unshown for request in read_brief(prompt, fill="named").requests)
+    assert any("striped" in request.attributes for request in read_brief(prompt, fill="named").requests)
 
 
 def test_a_stack_says_how_things_lie() -> None:

@@ -270,3 +270,38 @@ def test_no_more_of_what_is_counted_is_assumed() -> None:
 def test_what_a_sack_holds_is_in_its_name() -> None:
     brief = read_brief("A shed with a soil sack.")
     assert [(r.category, r.unshown) for r in brief.requests if r.asked] == [("soil_sack", ())]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A cabin without a sofa, a television or any plants.",
+        "Don't give the cabin a sofa, a television or any plants.",
+        "A cabin with no sofa, television or plants.",
+    ],
+)
+def test_all_of_a_denied_list_is_denied(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert (set(brief.excluded), brief.requests, brief.unknown) == ({"sofa", "tv", "plant"}, (), ())
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("A bench. The helmets are not on the bench, which stands in the middle of the room.", "1 bench in_centre centre"),
+        ("Five tables, each with two benches at its long sides and, on it, two menus and a candle.", "5 candle on dining_table"),
+        ("Six consoles. Each has a keyboard on it, plus a chair that faces it.", "6 chair facing console_table"),
+        ("A flag stands to the left of the sofa, a second one to its right.", "1 flag-2 right_of sofa"),
+        ("A chapel has an altar, flanked by two lamps, one on its left and one on its right.", "1 altar"),
+        ("An office. What's on her desk? Two mugs.", "2 cup on desk"),
+        ("A study. And where is the desk? By the window.", "1 desk next_to window"),
+        ("A hall with a bench; someone's left a rucksack on it.", "1 backpack on bench"),
+        ("There's a globe in the office. It stands on a chest, and so does a clock.", "1 clock on chest"),
+        ("Six crates are on two tables, three to a table.", "6 crate on"),
+    ],
+)  # fmt: skip
+def test_turns_of_speech_are_read(prompt: str, relation: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    counted = {f"{brief.request(r.key).count} {r.key}" for r in brief.requests}
+    assert any(found.startswith(relation) for found in related(brief) | counted)
+    assert brief.unknown == ()

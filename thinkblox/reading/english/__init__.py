@@ -28,6 +28,7 @@ from thinkblox.reading.english.counted_after import with_counts_after
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
 from thinkblox.reading.english.denials import with_denials
+from thinkblox.reading.english.denied_lists import with_denied_lists
 from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.doings import with_doings
@@ -53,6 +54,7 @@ from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
+from thinkblox.reading.english.on_it_first import with_on_it_last
 from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.opening_places import with_opening_places
@@ -188,6 +190,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_broken_off,
         with_short_names,
         with_people_doing,
+        with_denied_lists,
+        with_on_it_last,
         with_totals,
         with_orders_not,
         with_likings,

@@ -1,0 +1,61 @@
+"""What is denied with what comes before it, and what is told of the last thing denied: "without a sofa, a TV or plants"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_ARTICLES = ("", "a", "any")
+_CLAUSE = 4
+"""So many chunks before a thing, at most, a verb that is denied stands."""
+
+
+def with_denied_lists(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which all of a list that ends in "or" is denied, and "which" goes on with the last thing that was."""
+    made = list(chunks)
+    for at, chunk in enumerate(chunks):
+        none = isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.det == "no"
+        if is_link(chunk, "prepositions", "without") or none:
+            for item in _items(chunks, at + 1 if not none else at):
+                noun = chunks[item]
+                if isinstance(noun, Noun) and item != at:
+                    made[item] = replace(noun, det="", count=None if noun.det == "a" else noun.count)
+    return _told_of_denied(made)
+
+
+def _items(chunks: Sequence[Chunk], at: int) -> list[int]:
+    """Where the things of a list are that ends in "or"; none where it does not."""
+    found: list[int] = []
+    while at < len(chunks):
+        noun = chunks[at]
+        if not isinstance(noun, Noun) or noun.kind != "thing" or (found and noun.det not in _ARTICLES):
+            return []
+        found.append(at)
+        before = chunks[at - 1] if at else None
+        if len(found) > 1 and is_link(before, "joins", "or"):
+            return found
+        link, joined = (*chunks[at + 1 : at + 3], None, None)[:2]
+        if is_link(link, "mark", "comma"):
+            at += 3 if is_link(joined, "joins", "or") else 2
+        elif is_link(link, "joins", "or"):
+            at += 2
+        else:
+            return []
+    return []
+
+
+def _told_of_denied(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks with a sentence of its own for "which stands in the middle" after "not on the bench,"."""
+    for at in range(len(chunks) - 4, 0, -1):
+        link, comma, which, verb = chunks[at - 1], *chunks[at + 1 : at + 4]
+        noun = chunks[at]
+        if not isinstance(noun, Noun) or noun.kind != "thing" or noun.det != "the" or not isinstance(comma, Connector):
+            continue
+        denied = any(is_link(c, "negations", "not") for c in chunks[max(0, at - _CLAUSE) : at])
+        placed = isinstance(link, Connector) and link.sort == "prepositions"
+        told = is_link(comma, "mark", "comma") and is_link(which, "joins", "which") and is_link(verb, "verbs")
+        if denied and placed and told:
+            stop = Connector("mark", "stop", comma.start, comma.end, comma.text)
+            chunks[at + 1 : at + 3] = [stop, replace(noun, start=noun.end, end=noun.end)]
+    return chunks
