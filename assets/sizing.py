@@ -59,6 +59,8 @@ def people(words: Collection[str]) -> int:
     return 0
 
 
+_PLACE, _ENDS = 0.62, 0.65
+"""Length of a table for one at its side, who may have more at such tables, and for those at its ends [m]."""
 _SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
 _EVEN = frozenset({"round", "square", "circular"})
@@ -128,7 +130,8 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
         side = 0.8 if count <= 2 else 0.9
         return (side if x == y else min(x, side), side, z)
     sides = (count - 2) // 2 + (count - 2) % 2
-    return (x, 0.62 * sides + 0.65, z)
+    usual = (category.size[1] - _ENDS) / max(1, (category.seats - 2) // 2)
+    return (x, max(_PLACE, usual) * sides + _ENDS, z)
 
 
 def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:

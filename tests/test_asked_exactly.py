@@ -94,3 +94,28 @@ def _touched(asset: Asset) -> int:
 
 def test_a_wooden_table_cannot_be_striped() -> None:
     assert not realised(make_asset("table", seed=1, attributes=("striped",)), "striped")
+
+
+def test_a_table_seats_all_whom_it_is_said_to() -> None:
+    room = generate_room("A boardroom with a table that seats twelve people.", seed=0)
+    assert sum(p.category == "office_chair" for p in room.scene.placements) == 12
+    assert [d.measured for d in room.report.demands if d.subject == "seat"] == ["12 of 12"]
+
+
+def test_what_is_not_to_be_opposite_a_window_is_before_none() -> None:
+    room = generate_room("A living room where the TV is not opposite a window.", seed=0)
+    windows = [opening.id for opening in room.scene.room.openings if opening.kind == "window"]
+    assert room.report.complete
+    assert all(measure(room.scene, "opposite", "tv_1", (id,), negated=True).holds for id in windows)
+
+
+def test_nothing_hangs_on_walls_that_are_to_be_bare() -> None:
+    room = generate_room("A student room with a desk and nothing on the walls.", seed=0)
+    hung = {p.category for p in room.scene.placements if room.scene.asset_of(p).mount == "wall"}
+    assert hung == set()
+
+
+def test_who_faces_the_wall_has_it_before_them() -> None:
+    room = generate_room("A chair in the corner that faces the wall.", seed=0)
+    assert room.report.complete
+    assert not measure(room.scene, "facing", "chair_1", ("wall",), negated=True).holds

@@ -142,7 +142,7 @@ def test_an_office_under_the_stairs_has_no_stairs() -> None:
     brief = read_brief("I squeezed an office under the stairs, it's only 1.4 by 2.2 m. A desk against the wall.")
     assert (brief.room_type, brief.width, brief.depth) == ("office", 1.4, 2.2)
     assert [r.category for r in brief.requests if r.asked] == ["desk"]
-    assert brief.unknown == ()
+    assert brief.unknown == ("under the stairs",)
 
 
 @pytest.mark.parametrize(

@@ -440,6 +440,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
         ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
+        ("A home office under the stairs: a desk and a stool.", "under the stairs"),
         ("A bench facing each of the side walls.", "facing each of the side walls"),
         ("A bench with plant pots on and under it.", "on and under it"),
         ("A bar with two stools divides the room.", "divides the room"),
@@ -479,6 +480,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("Eight tables with four chairs each, except the two by the window, which have two.", "which have two"),
         ("Each place has a plate.", "Each place"),
         ("Six desks, each with a chair. The table has a jug on it but no chair.", "no chair"),
+        ("Homework nook under the stairs (150 cm by 210 cm): a desk.", "under the stairs"),
     ],
 )
 def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:

@@ -241,7 +241,8 @@ def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
 def _lacks_floor(made: Furnished) -> bool:
     """Whether something that stands on the floor is absent, fails, or does not stand as asked, or in its rows."""
     mounts = {target.id: made.loop.kinds[target.category].mount for target in made.loop.plan.targets}
-    absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
+    unseated = any(not demand.holds and demand.subject == "seat" for demand in made.report.demands)
+    absent = any((a.asked or unseated) and mounts.get(a.id) == "floor" for a in made.report.absent)
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
     return absent or failing or any(mounts.get(id) == "floor" for id in subjects) or made.strewn

@@ -292,11 +292,14 @@ def _called(request: Request) -> str:
 def _is_named(category: str, name: str) -> bool:
     """Whether who names a <name> has said what there is of such things: a mop bucket is a bucket, a poster a picture.
 
-    One kind of chairs to lean back in is enough.
+    One kind of chairs to lean back in is enough, and one kind of rugs.
     """
     if category.endswith(f"_{name}") or varieties().stands_for(category, name):
         return True
-    return load_habits().is_in(category, "lounges") and are_alike(category, name)
+    habits = load_habits()
+    if habits.is_in(category, "covers") and habits.is_in(name, "covers"):
+        return True
+    return habits.is_in(category, "lounges") and are_alike(category, name)
 
 
 def _does_for(name: str, wanted: str) -> bool:

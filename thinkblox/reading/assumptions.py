@@ -436,6 +436,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
         there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
         there |= any(usual.category.endswith(f"_{name}") for name in _plainly_counted(draft, one))
+        there |= _is_cover(usual.category) and any(map(_is_cover, counted))
         there |= any(t.asked and varieties().stands_for(usual.category, t.noun) for t in draft.things)
         if there or usual.category in unlikely or _have_places(draft, usual.category) or _is_crowded_out(draft, usual):
             continue
@@ -454,6 +455,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _is_cover(noun: str) -> bool:
+    """Whether it is a rug or mat: who counts rugs counts mats."""
+    return load_habits().is_in(noun, "covers")
 
 
 def _plainly_counted(draft: Draft, but: Collection[str] = ()) -> frozenset[str]:

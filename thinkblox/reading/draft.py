@@ -111,7 +111,13 @@ class Gap:
 
 @dataclass
 class Draft:
-    """Everything read from a prompt."""
+    """Everything read from a prompt.
+
+    Attributes:
+        account: what became of the words, as they were read.
+        written: the text as it was written, where words were read as others.
+        told: what of it was said not to be followed before it was read.
+    """
 
     things: list[Mention] = field(default_factory=list)
     bonds: list[Bond] = field(default_factory=list)
@@ -133,6 +139,8 @@ class Draft:
     rooms: list[str] = field(default_factory=list)
     surfaces: list[SurfaceRequest] = field(default_factory=list)
     account: tuple[Word, ...] = ()
+    written: str = ""
+    told: list[str] = field(default_factory=list)
     themes: list[Theme] = field(default_factory=list)
     _subjects: "_Subjects | None" = field(default=None, repr=False, compare=False)
 

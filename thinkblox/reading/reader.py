@@ -30,6 +30,7 @@ from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english import read_english
+from thinkblox.reading.english.account import of_all_words
 from thinkblox.reading.grammar import Walker
 from thinkblox.reading.keeping import keep_things
 from thinkblox.reading.language import lexicon_of
@@ -46,6 +47,8 @@ MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
 _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagonal", "triangular", "trapezoidal")
 """Shapes of a floor that we do not make."""
+_DRAWN_UP = ("around", "at", "at_long_side", "at_short_side")
+"""How seats are at a table."""
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
 _PLACES: tuple[Place, ...] = get_args(Place)
@@ -266,7 +269,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         depth=depth,
         area=area,
         height=height,
-        people=draft.people,
+        people=draft.people or _seated(draft),
         openings=_openings(draft.openings),
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
@@ -279,8 +282,15 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
         free=tuple(place for place in _PLACES if place in draft.free),
-        account=draft.account,
+        account=of_all_words(draft.account, draft.written, draft.told) if draft.written else draft.account,
     )
+
+
+def _seated(draft: Draft) -> int:
+    """How many the tables seat, as the prompt says, where it leaves open on what."""
+    tables = [t for t in draft.things if t.asked and t.seats and not load_habits().is_in(t.noun, "lounges", "beds")]
+    drawn_up = [b.subject for b in draft.bonds if b.kind in _DRAWN_UP and set(b.anchors) & set(tables)]
+    return 0 if any(seat.asked for seat in drawn_up) else sum(t.seats * (t.count or 1) for t in tables)
 
 
 def _keys(things: list[Mention]) -> dict[int, str]:

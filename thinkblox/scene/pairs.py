@@ -394,6 +394,14 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
     return ahead and least - ROUNDING <= apart <= most + ROUNDING and facing_it, text
 
 
+def _over_against(subject: Landmark, anchor: Landmark) -> Finding:
+    """What would still be called opposite, however far: before the anchor, and one turned to the other."""
+    ahead, _ = _on_side(1, 0, math.inf)(subject, anchor)
+    angle = min(angle_to(subject, anchor), angle_to(anchor, subject))
+    text = f"{subject.name} {ground_gap(subject, anchor):.2f} m from {anchor.name}, {angle:.0f} degrees off facing it"
+    return ahead and angle <= FACING + ROUNDING, text
+
+
 _PAIRS: dict[RelationKind, Pair] = {
     "on": _on,
     "inside": _inside,
@@ -421,6 +429,7 @@ _PAIRS: dict[RelationKind, Pair] = {
 _DENIED: dict[RelationKind, Pair] = {
     "against_wall": _close_to_wall,
     "next_to": _close_by,
+    "opposite": _over_against,
     "above": _nearly_above,
     "under": _partly_under,
     "in_centre": _about_centre,

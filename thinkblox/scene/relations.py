@@ -4,11 +4,14 @@ from collections.abc import Sequence
 
 from thinkblox.brief import RelationKind
 from thinkblox.scene.arrangement import Arrangement
+from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.companies import around, at_sides, between, in_rows, on_one, over_so_many
 from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.pairs import Finding, Pair, denied_for, every, facing_each_other, pair_for
 from thinkblox.verdict import RelationResult
 
+FACED = 2.0
+"""How far at most a wall is off that is faced and has no name: nobody faces one across the room [m]."""
 _DEFAULT_ANCHOR = {"against_wall": ("wall",), "in_corner": ("corner",), "in_centre": ("centre",)}
 _ONE = ("one_wall", "opposite_wall")
 _PARTS = ("wall", "corner", "window", "door")
@@ -56,6 +59,8 @@ def measure(
         parts = [part for name in against for part in found[name]]
         if kind == "in_corner":
             parts = list(corners(scene.room, against))
+        if kind == "facing" and against == ("wall",):
+            parts = [wall for wall in parts if any(ground_gap(m, wall) <= FACED for m in members)] or parts
         if negated:
             holds, text = _none(scene, kind, members, parts, rows)
         elif spread and parts:

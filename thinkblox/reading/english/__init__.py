@@ -71,7 +71,7 @@ from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
 from thinkblox.reading.english.places_having import with_places_having
-from thinkblox.reading.english.plain_turns import with_plain_turns
+from thinkblox.reading.english.plain_turns import with_plain_turns, without_not_followed
 from thinkblox.reading.english.potted import with_potted
 from thinkblox.reading.english.reasons import with_reasons
 from thinkblox.reading.english.respectively import with_respective
@@ -151,7 +151,8 @@ _METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
 """Lengths by the first letters of their units [m]."""
 _NEAR, _BESIDE = 1.0, 0.5
 """What is at most so far off is near something, or beside it [m]; what is said to be nearer still is not understood."""
-_SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
+_SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please"}
+_SHORT |= {"evrywhere": "everywhere", "coffe": "coffee"}
 _YET = ("still", "already", "now", "always", "just", "also", "only")
 """Adverbs between "'s" and what it says."""
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
@@ -168,12 +169,13 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
-    text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    written, text = text, _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)
     text = _FROM.sub(lambda match: f"{match[1]} of".ljust(len(match[0])), text)
     text = _ONE_OTHER.sub(lambda match: f",{match[1]}".ljust(len(match[0]), ","), text)
+    text, told = without_not_followed(text)
     text = with_shares(with_plain_turns(text))
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
@@ -267,6 +269,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         chunks = rewritten(chunks)
     draft = Clauses(tokens, chunks).read()
     draft.surfaces += noted
+    draft.unknown += told
+    draft.written, draft.told = written, told
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
 

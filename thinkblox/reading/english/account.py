@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from unicodedata import normalize
 
 from thinkblox.brief import Fate, Word
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, NounKind, SaidSurface, Stray
@@ -19,6 +20,8 @@ _LINKS: dict[str, Fate] = {
 """What becomes of words between noun phrases, by section of the grammar; the others are filler."""
 _PARTS = re.compile(r"[^/]+")
 """What is one word, where "w/o" is two."""
+_WRITTEN = re.compile(r"[^\W_]+(?:['\u2019-][^\W_]+)*")
+"""A word as it is written."""
 _IDLE = ("be", "other", "put", "serve")
 """Verbs that say nothing themselves."""
 _BARRING = ("without", "except", "instead")
@@ -77,6 +80,41 @@ class Account:
         pairs = zip(self._tokens, self._fates, strict=True)
         told = [(t, part, fate) for t, fate in pairs if t.kind != "mark" for part in _PARTS.finditer(t.shown)]
         return tuple(Word(text=part[0], start=t.start + part.start(), fate=fate) for t, part, fate in told)
+
+
+def of_all_words(words: Sequence[Word], text: str, told: Sequence[str]) -> tuple[Word, ...]:
+    """The words of an account as they stand in a text, with those of it that were read as others, or left out.
+
+    Args:
+        words: of the account.
+        text: as it was written.
+        told: what of it was said not to be followed.
+    """
+    lost = {at for said in told for found in re.finditer(_loosely(said), text) for at in range(*found.span())}
+    kept = [word for word in words if _is_written(word, text)]
+    covered = {at for word in kept for at in range(word.start, word.start + len(word.text))}
+    fates = {word.start: word.fate for word in words}
+    left = (found for found in _WRITTEN.finditer(text) if covered.isdisjoint(range(*found.span())))
+    more = [
+        Word(
+            text=found[0],
+            start=found.start(),
+            fate="not_understood" if found.start() in lost else fates.get(found.start(), "filler"),
+        )
+        for found in left
+    ]
+    return tuple(sorted([*kept, *more], key=lambda word: word.start))
+
+
+def _is_written(word: Word, text: str) -> bool:
+    """Whether a word stands in a text where it is said to, be it in other code points."""
+    forms = (normalize("NFKC", part) for part in (text[word.start : word.start + len(word.text)], word.text))
+    return len(set(forms)) == 1
+
+
+def _loosely(said: str) -> str:
+    """A pattern for words, whatever space or comma is between them."""
+    return r"[\s,]+".join(map(re.escape, said.split()))
 
 
 def _usual(chunk: Chunk) -> Fate:

@@ -1,4 +1,4 @@
-"""What is denied with what comes before it, and what is told of the last thing denied: "without a sofa, a TV or plants"."""
+"""Lists that are denied as a whole, and what is told of the last thing denied: "without a sofa, a TV or plants"."""
 
 from collections.abc import Sequence
 from dataclasses import replace

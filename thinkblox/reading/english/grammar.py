@@ -10,6 +10,9 @@ from typing import NamedTuple
 
 from thinkblox.reading.tokens import Token, texts
 
+_JOINED = (("each other", "eachother"), ("in between", "inbetween"))
+"""Words that many write as one."""
+
 
 class Function(NamedTuple):
     """What a phrase does in a sentence: `sort` is a section of grammar.toml, `value` a key of it."""
@@ -133,4 +136,9 @@ def _phrases(data: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, str, 
 
 
 def _split(phrases: str) -> Iterator[str]:
-    return (phrase.strip() for phrase in phrases.split(","))
+    """The phrases of a list, those with two words that many write as one in both ways."""
+    for phrase in (phrase.strip() for phrase in phrases.split(",")):
+        yield phrase
+        for apart, joined in _JOINED:
+            if apart in phrase:
+                yield phrase.replace(apart, joined)

@@ -8,6 +8,8 @@ from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
 
 _LYING = ("small", "screens", "lamps")
+_MOST_TOLD = 80
+"""Most chunks in brackets."""
 _PAIR = 2
 
 
@@ -36,7 +38,8 @@ def _closed(chunks: Sequence[Chunk], at: int) -> int:
     """Where brackets or dashes end that begin at a chunk; 0 where none begin or end."""
     mark = next((m for m in ("open", "dash") if is_link(chunks[at], "mark", m)), "")
     ends = {"open": "close", "dash": "dash"}.get(mark, "")
-    return next((n for n in range(at + 1, len(chunks)) if is_link(chunks[n], "mark", ends)), 0) if ends else 0
+    within = range(at + 1, min(len(chunks), at + _MOST_TOLD))
+    return next((n for n in within if is_link(chunks[n], "mark", ends)), 0) if ends else 0
 
 
 def _with(before: Chunk) -> Connector:

@@ -5,6 +5,7 @@ import tomllib
 from collections.abc import Callable
 from functools import cache, partial
 from pathlib import Path
+from typing import Any
 
 _OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
 """At which side of what was named something is that comes."""
@@ -63,18 +64,42 @@ def with_plain_turns(text: str) -> str:
     return text
 
 
+def without_not_followed(text: str) -> tuple[str, list[str]]:
+    """The text without turns that are not followed, spaces in their place, and these turns."""
+    told: list[str] = []
+
+    def left(said: re.Match[str]) -> str:
+        told.append(" ".join(said[0].split()).strip(" ,"))
+        return " " * len(said[0])
+
+    for pattern in _not_followed():
+        text = pattern.sub(left, text)
+    return text, told
+
+
+@cache
+def _not_followed() -> tuple[re.Pattern[str], ...]:
+    table = _table()
+    return tuple(_pattern(table, said) for said in table["told"].values())
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return tomllib.loads(Path(__file__).with_name("turns.toml").read_text(encoding="utf-8"))
+
+
+def _pattern(table: dict[str, Any], said: str) -> re.Pattern[str]:
+    for name, part in table["parts"].items():
+        said = said.replace(f"{{{name}}}", part)
+    return re.compile(said, re.IGNORECASE)
+
+
 @cache
 def _listed() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...]:
     """The turns of turns.toml: what is said, and its plainer words; none for what asks for nothing."""
-    table = tomllib.loads(Path(__file__).with_name("turns.toml").read_text(encoding="utf-8"))
-
-    def pattern(said: str) -> re.Pattern[str]:
-        for name, part in table["parts"].items():
-            said = said.replace(f"{{{name}}}", part)
-        return re.compile(said, re.IGNORECASE)
-
-    idle = [(pattern(said), partial(_as_template, "")) for said in table["idle"].values()]
-    return (*idle, *((pattern(said), partial(_as_template, plain)) for said, plain in table["plain"].values()))
+    table = _table()
+    idle = [(_pattern(table, said), partial(_as_template, "")) for said in table["idle"].values()]
+    return (*idle, *((_pattern(table, said), partial(_as_template, plain)) for said, plain in table["plain"].values()))
 
 
 def _as_template(plain: str, said: re.Match[str]) -> str:
