@@ -190,6 +190,8 @@ def formats_named(names: Sequence[str]) -> tuple[ExportFormat, ...]:
     """
     chosen: dict[str, ExportFormat] = {}
     for name in dict.fromkeys(names_given(names, "formats")):
+        if name == "gltf":
+            raise InputError("glTF is written in one file: ask for 'glb'")
         if name not in _FORMATS:
             raise InputError(f"no format {name!r}; there are {', '.join(_FORMATS)}")
         known = _FORMATS[name]
