@@ -298,6 +298,8 @@ def test_all_of_a_denied_list_is_denied(prompt: str) -> None:
         ("A hall with a bench; someone's left a rucksack on it.", "1 backpack on bench"),
         ("There's a globe in the office. It stands on a chest, and so does a clock.", "1 clock on chest"),
         ("Six crates are on two tables, three to a table.", "6 crate on"),
+        ("Three desks. Each of the three has a lamp on it and a stool in front of it.", "3 stool in_front_of desk"),
+        ("A room with four plants, two of them against the wall, the rest near the window.", "2 plant-2 near window"),
     ],
 )  # fmt: skip
 def test_turns_of_speech_are_read(prompt: str, relation: str) -> None:

@@ -1,19 +1,22 @@
-"""How many of several are meant: "next to all but two of the beds", "a chair at both desks", which is one at each."""
+"""How many of several are meant: "next to all but two of the beds", "each of the four", "a chair at both desks"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.said import is_link
 
 _CARRIED = ("on", "on_top", "in", "at", "under", "above", "behind", "in_front_of")
 """How one thing is to one other, and not to two."""
+_SEVERAL = 2
 _EACH = ("each of them", "every one of them", "each of these")
 
 
 def with_all_but(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which all but some of several are every one of them but so many."""
+    """Chunks in which all but some of several are every one of them but so many, and "the rest" those left of them."""
     made = [_each_of_both(chunks, at) for at in range(len(chunks))]
+    made = [_rest(made, at) or _each_of_so_many(made, at) or made[at] for at in range(len(made))]
     for at in range(len(made) - 2):
         every, but, left = made[at : at + 3]
         if not isinstance(every, Noun) or not isinstance(left, Noun) or not _is_all(every) or not _excepts(but):
@@ -45,6 +48,33 @@ def _each_of_both(chunks: Sequence[Chunk], at: int) -> Chunk:
     if any(isinstance(c, Noun) and c.kind == chunk.kind and _goes_by(c, chunk) for c in before):
         return replace(chunk, det="each", plural=False, text=f"each {chunk.word}")
     return replace(chunk, det="each", count=2, text=f"each of the two {chunk.text.split()[-1]}")
+
+
+def _each_of_so_many(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """Each of those that were named last of which there are as many: "four benches; each of the four has a lamp"."""
+    chunk = chunks[at]
+    if not isinstance(chunk, Noun) or chunk.kind != "number" or chunk.det != "each" or (chunk.count or 0) < _SEVERAL:
+        return None
+    named = (c for c in chunks[:at][::-1] if isinstance(c, Noun) and c.kind == "thing" and c.count == chunk.count)
+    several = next((noun for noun in named if not load_habits().is_in(noun.value, "small")), None)
+    if several is None:
+        return None
+    words = f"each {several.word}"
+    return Noun("thing", several.value, chunk.start, chunk.end, words, called=several.called, det="each")
+
+
+def _rest(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """Those of several that are left when it was said where some are: "two against the wall, the rest by the door"."""
+    chunk = chunks[at]
+    if not isinstance(chunk, Noun) or chunk.kind != "abstract" or chunk.text.lower() != "the rest":
+        return None
+    placed = is_link(chunks[at + 1], "prepositions") if at + 1 < len(chunks) else False
+    if not placed or is_link(chunks[at + 1], "prepositions", "of"):
+        return None
+    earlier = chunks[:at][::-1]
+    last = next((n for n, c in enumerate(earlier) if is_link(c, "mark", "stop")), len(earlier))
+    some = any(isinstance(c, Noun) and c.kind == "number" and c.count for c in earlier[:last])
+    return replace(chunk, kind="pronoun", value="other", called="", det="other") if some else None
 
 
 def _goes_by(named: Noun, both: Noun) -> bool:
