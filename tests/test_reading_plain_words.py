@@ -337,3 +337,52 @@ def test_every_word_is_accounted_for_where_words_are_read_as_others() -> None:
 def test_words_written_as_one_are_two() -> None:
     brief = read_brief("A lounge with 2 sofas facing eachother, coffe table inbetween.")
     assert {"2 sofa facing sofa", "1 coffee_table between sofa"} <= related(brief)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "On the desk: two microphones, a lamp between the microphones, and a cup to the left of the lamp.",
+            {"1 desk_lamp on desk", "1 cup on desk", "1 cup left_of desk_lamp"},
+        ),
+        ("A cabinet against the wall containing six jars and three books.", {"6 jar inside cabinet"}),
+        ("A bookcase with forty books in it. A table carries twelve more.", {"12 book-2 on dining_table"}),
+        ("Two racks against the wall hold ten boxes between them.", {"10 box inside shelving_unit"}),
+        (
+            "Four tables: six plants on each of two of them, three vases on each of the other two.",
+            {"12 potted_plant on dining_table", "6 vase on dining_table-2"},
+        ),
+        (
+            "Three beds. Two of the beds have a pink blanket on them, the third a yellow one.",
+            {"2 blanket on bed", "1 blanket-2 on bed-2"},
+        ),
+        (
+            "A pottery workshop with six wheels, each with a stool in front of it.",
+            {"6 stool in_front_of pottery_wheel"},
+        ),
+        (
+            "A classroom. Five desks, two chairs at each, a book for every chair. Four chairs are red.",
+            {"6 chair-2 at school_desk"},
+        ),
+    ],
+)
+def test_numbers_and_places_are_shared_out(prompt: str, relations: set[str]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert relations <= related(brief)
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unknown"),
+    [
+        ("A cafe in Paris with two tables.", ()),
+        ("A flat in New York, with two tables.", ()),
+        ("An office in Oslo, Norway, with two tables.", ()),
+        ("a loft in berlin with two tables", ("berlin",)),
+    ],
+)
+def test_a_town_is_no_thing(prompt: str, unknown: tuple[str, ...]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {request.category.rpartition("_")[2] for request in brief.requests} == {"table"}
+    assert brief.unknown == unknown

@@ -6,6 +6,7 @@ from msgspec import structs
 
 from thinkblox.assets import GENERAL_WORDS
 from thinkblox.brief import Brief
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, kinds_of_room, room_type
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -70,7 +71,14 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     for category, conditions in senses_of(thing.noun):
         if all(_holds(condition, facts, thing) for condition in conditions):
             return category
-    return thing.noun
+    return _usual_there(thing.noun, room)
+
+
+def _usual_there(noun: str, room: str) -> str:
+    """What "machines" are in a laundromat: what is usual in such a room whose name ends so; else the noun itself."""
+    if noun in load_habits().known() or noun in GENERAL_WORDS:
+        return noun
+    return next((u.category for u in room_type(room).usual if u.category.endswith(f"_{noun}")), noun)
 
 
 def _relations(bond: Bond) -> tuple[str, ...]:

@@ -37,6 +37,7 @@ from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.facing_people import with_facing_people
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.fronted import with_fronted
+from thinkblox.reading.english.gapped import with_gapped
 from thinkblox.reading.english.goals import with_goals
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.grids import with_grids
@@ -80,6 +81,7 @@ from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.seats_joined import with_seats_joined
+from thinkblox.reading.english.shared_out import with_shared_out
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.short_names import with_short_names
@@ -92,6 +94,7 @@ from thinkblox.reading.english.told_apart import with_told_apart
 from thinkblox.reading.english.told_later import with_told_later
 from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.english.totals import with_totals
+from thinkblox.reading.english.towns import with_towns
 from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
@@ -201,6 +204,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_outside,
         with_two_colours,
         with_as_many,
+        with_towns,
+        with_gapped,
+        with_shared_out,
         with_none_of,
         with_counts_after,
         with_one_more,

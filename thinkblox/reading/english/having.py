@@ -17,6 +17,7 @@ _LAID = ("laid with", "set with")
 """How a place at a table is said to have what lies before it: "every seat laid with a plate"."""
 _BESIDE = ("next_to", "near", "by", "in_front_of", "behind", "under")
 """Prepositions of what stands by itself."""
+_AGAINST = ("prepositions", "against", "along", "by")
 _MADE_OF = ("consist", "made up", "composed", "compris")
 """How words begin that tell what something is made up of."""
 
@@ -117,6 +118,9 @@ class Having(Groups):
         """Read "a wall full of clocks" as clocks on a wall."""
         wall, what = self._before(), self.peek()
         full = kind in ("inside", "on") and isinstance(wall, Noun) and wall.kind == "place" and "wall" in wall.value
+        holder = self.frontier[-1].thing if self.frontier and self._is_link(self._before(2), *_AGAINST) else None
+        holds = holder is not None and self.habits.is_in(holder.noun, "storage", "shelves")
+        full &= not (holds and isinstance(wall, Noun) and wall.det == "the")
         if full and isinstance(wall, Noun) and isinstance(what, Noun) and what.kind == "thing" and not self.predicate:
             self.chunks[self.at + 1 : self.at + 1] = [Connector("prepositions", "on", wall.start, wall.start), wall]
             self.frontier, self.subject, self.separator = [], None, self.separator or "comma"

@@ -18,6 +18,9 @@ _FOR_ALL = (
 _PAIR = 2
 _FOR_JOINED = ("under", "between", "at_foot_of", "far", "at_long_side", "at_short_side")
 """The same of what is joined to it without a comma before the "and": "between the beds are a nightstand and a lamp"."""
+_BESIDE = ("left_of", "right_of", "between", "behind", "in_front_of", "next_to", "near", "to", "on")
+_TO_THE_LEFT_OF_IT = 4
+"""Chunks of "to the left of the mixer"."""
 
 
 class Memberships(Ties):
@@ -205,7 +208,8 @@ class Memberships(Ties):
                 continue
             listed = len(self.clause.members) > len(things)
             thing = things[-1]
-            off = front.kind == "on" and self._stands_apart(thing)
+            beside = listed and self._is_beside_own(front)
+            off = front.kind == "on" and self._stands_apart(thing) and not beside
             wall = front.anchors and isinstance(front.anchors[0], str)
             top = (
                 not wall and isinstance(front.anchors[0], Mention) and self._belongs(front.anchors[0].noun, "surfaces")
@@ -218,7 +222,7 @@ class Memberships(Ties):
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
                 continue
-            if listed and self._is_told_where() and not front.meaning.each:
+            if listed and self._is_told_where() and not front.meaning.each and not beside:
                 continue
             joined = front.kind in _FOR_JOINED and self.separator in ("and", "comma")
             if listed and front.kind not in _FOR_ALL and not joined:
@@ -233,6 +237,16 @@ class Memberships(Ties):
         """Whether its own words say where a thing is: "a bike by the door", "tires stacked in the corner"."""
         lies = self._is_link(self.peek(), "participles", "stand", "hang") or isinstance(self.peek(), Adjective)
         return self._is_told_next() or (lies and self._is_link(self.peek(1), "prepositions"))
+
+    def _is_beside_own(self, front: Awaited) -> bool:
+        """Whether it stands beside what lies there too: "on it are a mixer and a mug to the left of the mixer"."""
+        ahead = self.chunks[self.at : self.at + _TO_THE_LEFT_OF_IT]
+        beside = [c for c in ahead if isinstance(c, Noun) and c.kind == "thing"][:1]
+        links = self._is_link(self.peek(), "prepositions", *_BESIDE)
+        if not links or not beside or beside[0].det != "the" or front.kind not in ("on", "inside", "in"):
+            return False
+        other = self.referents.named(beside[0])
+        return other is not None and self._is_bound_by(front, other)
 
     def _stands_apart(self, thing: Mention) -> bool:
         """Whether it is furniture, or else stands on the floor or hangs, rather than lying with what is listed."""

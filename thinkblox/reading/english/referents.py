@@ -356,6 +356,9 @@ class Referents:
             if whole in bond.anchors and bond.subject is not part:
                 at = bond.anchors.index(whole)
                 bond.anchors = (*bond.anchors[:at], part, *bond.anchors[at:])
+        for thing in self.draft.things:
+            if whole in thing.per:
+                thing.per.append(part)
         self.parted = whole
         self.parts.setdefault(whole, []).append(part)
         self._whole_of[part] = whole

@@ -272,9 +272,15 @@ class SecondOpinion:
         later = [p for p in later if p.to is None or p.to.kind != "part" or p.to.value not in ("left", "right")]
         if any(set(self._things(p.anchor)) & set(anchors) for p in later):
             return False
+        later = [p for p in later if not any(self._lies_on(t, anchors) for t in self._things(p.anchor))]
         things = [t for p in later for t in self._things(p.of[0]) if self._first.get(t, -1) >= p.of[0].start]
         doubled = (t for t in things if len(self._draft.bonds_of(t)) > 1)
         return any(not b.implied and set(b.anchors) & set(anchors) for t in doubled for b in self._draft.bonds_of(t))
+
+    def _lies_on(self, thing: Mention, anchors: Sequence[Mention]) -> bool:
+        """Whether it was said to be on or in one of these, so that what is beside it is there too."""
+        lying = (b for b in self._draft.bonds_of(thing) if b.kind in _LYING and not (b.negated or b.implied))
+        return any(set(b.anchors) & set(anchors) for b in lying)
 
     # --- lists
 

@@ -1,0 +1,57 @@
+"""What one has and another has of another look: "two of them have a red lamp on them, the third a blue one"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
+
+_HAVING = ("have", "hold", "carry")
+
+
+def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which the other has what was said of the first, and where, with a look of its own."""
+    made: list[Chunk] = []
+    for chunk in chunks:
+        before = made[-1] if made else None
+        said = _said(made) if isinstance(before, Noun) and _is_other(before) else None
+        if said is not None and isinstance(chunk, Noun) and _is_one(chunk):
+            verb, thing, link = said
+            one = replace(thing, attributes=[*chunk.attributes], unshown=[*chunk.unshown], count=None, plural=False)
+            text = f"{' '.join(chunk.text.split()[:-1])} {thing.word}"
+            made.append(replace(verb, start=chunk.start, end=chunk.start))
+            made.append(replace(one, start=chunk.start, end=chunk.end, text=text))
+            if link is not None:
+                made.append(replace(link, start=chunk.end, end=chunk.end))
+                made.append(Noun("pronoun", "it", chunk.end, chunk.end, "it"))
+        else:
+            made.append(chunk)
+    return made
+
+
+def _is_other(noun: Noun) -> bool:
+    """Whether "the third", "the other" comes, of which nothing is told but what it has."""
+    other = noun.ordinal > 1 if noun.kind == "number" else noun.kind == "pronoun" and noun.value == "other"
+    return other and not (noun.attributes or noun.unshown)
+
+
+def _is_one(noun: Noun) -> bool:
+    told = noun.attributes or noun.unshown
+    return noun.kind == "number" and noun.det == "a" and bool(told) and noun.text.lower().endswith(" one")
+
+
+def _said(made: Sequence[Chunk]) -> tuple[Connector, Noun, Connector | None] | None:
+    """The verb, what is had and how it is to what has it, that came before "the third" in its sentence."""
+    begin = next((n + 1 for n in range(len(made) - 1, -1, -1) if is_link(made[n], "mark", "stop", "semicolon")), 0)
+    joint = made[-2] if len(made) > 1 else None
+    if not (is_link(joint, "mark", "comma") or is_link(joint, "joins", "and")):
+        return None
+    for at in range(begin, len(made) - 2):
+        verb, thing = made[at : at + 2]
+        if not (isinstance(verb, Connector) and isinstance(thing, Noun) and is_link(verb, "verbs", *_HAVING)):
+            continue
+        if thing.kind == "thing" and thing.det == "a":
+            link, pronoun = (*made[at + 2 : at + 4], None, None)[:2]
+            there = is_link(link, "prepositions") and isinstance(pronoun, Noun) and pronoun.kind == "pronoun"
+            return verb, thing, link if there and isinstance(link, Connector) else None
+    return None
