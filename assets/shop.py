@@ -77,11 +77,11 @@ def podium(spec: Spec) -> Build:
         box(wood, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.05)),
         box(wood, (0.1 * x, 0.1 * x + 0.03), around(0, 0.8 * y), (0.05, z - 0.16)),
         *(box(wood, (-0.3 * x, 0.1 * x), around(s * 0.385 * y, 0.025), (0.05, z - 0.16)) for s in (-1, 1)),
-        box(wood, (-0.4 * x, 0.2 * x), around(0, 0.94 * y), (z - 0.16, z - 0.13)),
-        *(box(wood, (0.16 * x, 0.2 * x), around(s * 0.42 * y, 0.04), (z - 0.13, z)) for s in (-1, 1)),
-        rod(IRON, (0.12 * x, 0, z - 0.14), (-0.1 * x, 0, z - 0.006), 0.006),
+        box(wood, (-x / 2, 0.26 * x), around(0, 0.94 * y), (z - 0.16, z - 0.13)),
+        *(box(wood, (0.22 * x, 0.26 * x), around(s * 0.42 * y, 0.04), (z - 0.13, z)) for s in (-1, 1)),
+        rod(IRON, (0.23 * x, 0.32 * y, z - 0.14), (0.2 * x, 0.26 * y, z - 0.006), 0.006),
     ]
-    top = top_surface("desk", (-0.4 * x, 0.1 * x), around(0, 0.9 * y), z - 0.13)
+    top = top_surface("desk", (-x / 2, 0.18 * x), around(0, 0.9 * y), z - 0.13)
     return Build(body=body, surfaces=[top])
 
 

@@ -119,3 +119,15 @@ def test_who_faces_the_wall_has_it_before_them() -> None:
     room = generate_room("A chair in the corner that faces the wall.", seed=0)
     assert room.report.complete
     assert not measure(room.scene, "facing", "chair_1", ("wall",), negated=True).holds
+
+
+def test_a_lectern_carries_a_laptop() -> None:
+    report = generate_room("A hall. A lectern with a laptop on it.", seed=0).report
+    assert report.complete
+    assert [r.holds for r in report.relations if r.subject == "laptop_1"] == [True]
+
+
+def test_what_is_not_to_be_at_a_wall_is_in_no_corner_by_habit() -> None:
+    assert (
+        _held("A lounge with two beanbags, neither of them against a wall.", "against_wall", "bean_bag") == [True] * 2
+    )

@@ -358,6 +358,10 @@ def test_words_written_as_one_are_two() -> None:
             {"2 blanket on bed", "1 blanket-2 on bed-2"},
         ),
         (
+            "Eight lockers along each of two opposite walls, half of all the lockers blue and half white.",
+            {"8 locker against_wall wall", "8 locker-2 against_wall wall"},
+        ),
+        (
             "A pottery workshop with six wheels, each with a stool in front of it.",
             {"6 stool in_front_of pottery_wheel"},
         ),

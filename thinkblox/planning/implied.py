@@ -214,6 +214,8 @@ def _is_forbidden(member: Member, habit: Habit, free: Collection[str]) -> bool:
     """Whether the habit is what must not be, or leads to where nothing is to stand."""
     places = set(habit.anchors) or {"wall" if habit.kind == "against_wall" else habit.kind.removeprefix("in_")}
     denied = any(tie.kind == habit.kind and (not tie.anchors or places & set(tie.anchors)) for tie in member.denied)
+    off_walls = any(tie.kind == "against_wall" and "wall" in tie.anchors for tie in member.denied)
+    denied |= habit.kind == "in_corner" and off_walls
     return denied or ("centre" in free and "centre" in places)
 
 

@@ -41,4 +41,12 @@ def _number_of(said: Noun, before: Sequence[Chunk]) -> int:
     alike = several if said.kind == "pronoun" else [c for c in several if c.value == said.value]
     if not alike or (said.kind == "pronoun" and len({c.value for c in alike}) > 1):
         return 0
-    return (alike[-1].count or 0) * max(1, alike[-1].rows)
+    return (alike[-1].count or 0) * max(1, alike[-1].rows) * _places_of(alike[-1], before)
+
+
+def _places_of(several: Noun, before: Sequence[Chunk]) -> int:
+    """At how many places there are as many: two for "eight lockers along each of two opposite walls"."""
+    at = next(n for n, chunk in enumerate(before) if chunk is several)
+    link, place = (*before[at + 1 : at + 3], None, None)[:2]
+    each = isinstance(place, Noun) and place.kind == "place" and place.det == "each" and is_link(link, "prepositions")
+    return place.count or 1 if each and isinstance(place, Noun) else 1
