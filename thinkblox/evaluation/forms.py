@@ -21,6 +21,8 @@ FULL = 0.9
 """How much of the box round it a rectangular outline fills at least."""
 NEARLY = 0.87
 """The shorter side of a square or circle as a share of the longer one, at least."""
+FLAT = 0.03
+"""What is ordinarily no higher than this is cloth or mat [m]."""
 NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8}
 _DRAWERS = re.compile(r"(?P<number>\d+|[a-z]+)[ -]drawers?$")
 
@@ -202,7 +204,10 @@ def _measures(body: Body) -> Ordinary:
 
 
 def _bulk(body: Body, ordinary: Ordinary) -> float:
+    """How many times the ordinary size, by the mean of its measures; the height of cloth counts for nothing."""
     a, b, c = (m / o for m, o in zip(_measures(body), ordinary, strict=True))
+    if ordinary[2] <= FLAT:
+        return float((max(a, 1e-9) * max(b, 1e-9)) ** 0.5)
     return float((max(a, 1e-9) * max(b, 1e-9) * max(c, 1e-9)) ** (1 / 3))
 
 
