@@ -68,6 +68,12 @@ def realised(asset: Asset, attribute: str) -> bool:
     return _heeded(asset, attribute) or shows_state(asset, word)
 
 
+def is_look(attribute: str) -> bool:
+    """Whether a word says of which colour or material a thing is."""
+    word = attribute.lower().replace("_", "-").replace(" ", "-")
+    return word in COLOURS or word in MATERIALS or word in KINDS
+
+
 def _shapes(asset: Asset) -> list[Shape]:
     return [shape for link in asset.links for shape in link.shapes]
 

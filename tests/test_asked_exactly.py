@@ -131,3 +131,10 @@ def test_what_is_not_to_be_at_a_wall_is_in_no_corner_by_habit() -> None:
     assert (
         _held("A lounge with two beanbags, neither of them against a wall.", "against_wall", "bean_bag") == [True] * 2
     )
+
+
+def test_the_third_desk_is_not_of_oak_where_one_of_three_is() -> None:
+    prompt = "Three desks. The first is made of oak. The second is glass. A printer stands on the third."
+    scenes = [generate_room(prompt, seed=seed).scene for seed in (0, 1)]
+    desks = [[scene.asset_of(p) for p in scene.placements if p.category == "desk"] for scene in scenes]
+    assert [sum(realised(desk, "oak") for desk in found) for found in desks] == [1, 1]

@@ -5,6 +5,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 from zlib import crc32
 
+from thinkblox.assets.showing import is_look, realised
 from thinkblox.assets.sizing import scale_of
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Measures
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from thinkblox.sim.verdict.world import World
     from thinkblox.sim.workers.pool import VerdictPool
 
+LOOKS_TRIED = 8
+"""Assets made at most for one that is not to look like others of its kind."""
 SAME_SIZE = 0.002
 """Sizes nearer than this are the same [m]."""
 
@@ -211,7 +214,8 @@ def policy_failed(error: Exception) -> Try:
 def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -> Asset:
     """The asset for a target; one seed for a whole scene, so that its furniture is of one style.
 
-    What no two of are the same, as pictures, has a seed for each, and the size of the first.
+    What no two of are the same, as pictures, has a seed for each, and the size of the first. What others of its kind
+    are told apart by, as the one that is of oak, it is not by chance.
 
     Raises:
         InputError: the source cannot make such a thing.
@@ -221,7 +225,24 @@ def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -
     if _is_another(target) and source.facts(target.category).is_in("unlike"):
         own = crc32(f"{scene.seed}/{scene.prompt}/{target.id}".encode())
         asset = source.make(target.category, seed=own, attributes=target.attributes, size=asset.size)
+    if others := _looks_of_others(target, scene):
+        asset = _told_apart(asset, others, target, scene, source)
     return _sized(asset.called(target.called) if target.called else asset, target.size, source, slack=0.0)
+
+
+def _looks_of_others(target: Target, scene: Scene) -> set[str]:
+    """What others of its kind that stand already were asked to be of, colours and materials, and it was not."""
+    alike = (p for p in scene.placements if p.category == target.category)
+    words = {word for p in alike for word in scene.asset_of(p).attributes if is_look(word)}
+    return words - set(target.attributes)
+
+
+def _told_apart(asset: Asset, others: set[str], target: Target, scene: Scene, source: AssetSource) -> Asset:
+    """The asset, or the first of some others of its size that looks like none of `others`, where there is one."""
+    seeds = range(style_seed(scene), style_seed(scene) + LOOKS_TRIED)
+    made = (source.make(target.category, seed=s, attributes=target.attributes, size=asset.size) for s in seeds)
+    apart = (one for one in (asset, *made) if not any(realised(one, word) for word in others))
+    return next(apart, asset)
 
 
 def _is_another(target: Target) -> bool:

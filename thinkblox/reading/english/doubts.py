@@ -148,6 +148,8 @@ class Doubts(Corrections):
 
     def _middle_of_what(self, bond: Bond) -> str:
         """What is said of what has to lie on something and is only in the middle, or in a corner."""
+        if bond.kind not in ("in_centre", "in_corner"):
+            return ""
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
         where = "middle" if bond.kind == "in_centre" and bond.anchors == ("centre",) else ""
         places = [c for c in self.chunks if isinstance(c, Noun) and c.kind == "place"]
