@@ -5,6 +5,7 @@ from collections.abc import Collection
 from msgspec import structs
 
 from thinkblox.assets import GENERAL_WORDS
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, kinds_of_room, room_type
@@ -78,7 +79,8 @@ def _usual_there(noun: str, room: str) -> str:
     """What "machines" are in a laundromat: what is usual in such a room whose name ends so; else the noun itself."""
     if noun in load_habits().known() or noun in GENERAL_WORDS:
         return noun
-    return next((u.category for u in room_type(room).usual if u.category.endswith(f"_{noun}")), noun)
+    usual = next((u.category for u in room_type(room).usual if u.category.endswith(f"_{noun}")), noun)
+    return noun if stand_in(noun).like == usual else usual
 
 
 def _relations(bond: Bond) -> tuple[str, ...]:
