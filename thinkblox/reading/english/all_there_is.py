@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.nothing_else import ANYTHING
 from thinkblox.reading.english.said import is_link
 
@@ -17,7 +17,7 @@ def with_all_there_is(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         length = _only_furniture(chunks, at)
-        if length and is_link(chunks[at + length] if at + length < len(chunks) else None, "verbs", "be"):
+        if length and is_link(chunk_at(chunks, at + length), "verbs", "be"):
             made.append(_said(chunks[at : at + length + 1], "only"))
             at += length + 1
         elif length and made and is_link(made[-1], "verbs", "be"):
@@ -40,7 +40,7 @@ def _only_furniture(chunks: Sequence[Chunk], at: int) -> int:
     """How many chunks "the only piece of furniture in the room" has; 0 where it does not come."""
     first = chunks[at]
     end = at + (isinstance(first, Stray) and first.text.lower() == "the")
-    if not is_link(chunks[end] if end < len(chunks) else None, "negations", "only"):
+    if not is_link(chunk_at(chunks, end), "negations", "only"):
         return 0
     end += 1
     first_named = end
@@ -64,5 +64,5 @@ def _empty_room(chunks: Sequence[Chunk], at: int) -> int:
     end = at + 2
     while end < len(chunks) and is_link(chunks[end], "fillers"):
         end += 1
-    said = chunks[end] if end < len(chunks) else None
+    said = chunk_at(chunks, end)
     return end + 1 - at if isinstance(said, Adjective) and not _EMPTY.isdisjoint(said.states) else 0

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _MOVING = ("prepositions", "participles", "mutual")
@@ -37,14 +37,14 @@ def _is_alone(found: Sequence[Chunk]) -> bool:
 
 def _answered(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[Noun, int]:
     """The thing with the number it is told to have, and where the text goes on."""
-    mark = chunks[at] if at < len(chunks) else None
+    mark = chunk_at(chunks, at)
     asked = is_link(mark, "mark") and isinstance(mark, Connector) and mark.text == "?"
     if not asked and not is_link(mark, "mark", "colon"):
         return thing, at
     end = at + 1
     while asked and end < len(chunks) and (is_link(chunks[end], "fillers") or is_link(chunks[end], "mark", "comma")):
         end += 1
-    after = chunks[end] if end < len(chunks) else None
+    after = chunk_at(chunks, end)
     if isinstance(after, Noun) and after.kind in ("number", "pronoun") and after.count and thing.count is None:
         ends = end + 1 >= len(chunks) or is_link(chunks[end + 1], "mark", "stop", "semicolon")
         comma = end + 1 < len(chunks) and is_link(chunks[end + 1], "mark", "comma")

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _TOO = ("too", "as well", "also")
@@ -60,7 +60,7 @@ def _number_later(noun: Noun, after: Sequence[Chunk]) -> int:
 
 def _look_again(chunks: Sequence[Chunk], at: int, before: Sequence[Chunk]) -> Adjective | None:
     """The look of "the sofa is grey, the armchairs are too" in place of "too"; None where none was told just before."""
-    too, end = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+    too, end = chunks[at], chunk_at(chunks, at + 1)
     said = isinstance(too, Connector) and too.sort == "fillers" and too.text.lower() in _TOO
     ends = end is None or is_link(end, "mark", "stop", "semicolon")
     if not (said and ends) or not before or not is_link(before[-1], "verbs", "be"):

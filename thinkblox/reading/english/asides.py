@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _NO_PLACE = ("with", "of", "for")
@@ -42,7 +42,7 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_of_it_too(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "underneath" comes in "has a lamp on it and a bin underneath", which is under the same thing."""
-    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunk_at(chunks, at + 1)
     ends = after is None or is_link(after, "mark") or is_link(after, "joins")
     if not ends or at < _ITEMS or not is_link(chunks[at], "prepositions", *_UNDER_OR_OVER):
         return False

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 
@@ -69,9 +69,9 @@ def _next_kind(chunks: Sequence[Chunk], at: int, *, of: bool = False) -> Noun | 
 def _number_of_each(chunks: Sequence[Chunk], at: int) -> tuple[int, int]:
     """The two of ", two of each", and where what tells it ends; 0 where that does not come."""
     at += at < len(chunks) and is_link(chunks[at], "mark", "comma")
-    number = chunks[at] if at < len(chunks) else None
+    number = chunk_at(chunks, at)
     at += 2 if at + 1 < len(chunks) and is_link(chunks[at + 1], "prepositions", "of") else 1
-    each = chunks[at] if at < len(chunks) else None
+    each = chunk_at(chunks, at)
     if not isinstance(number, Noun) or number.kind not in ("number", "pronoun") or number.of_known:
         return 0, at
     told = isinstance(each, Noun) and each.kind == "pronoun" and each.value == "each" and bool(number.count)

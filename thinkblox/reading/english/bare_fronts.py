@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 
@@ -11,7 +11,7 @@ def with_bare_fronts(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        chunk, front = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+        chunk, front = chunks[at], chunk_at(chunks, at + 1)
         if is_link(chunk, "prepositions", "in") and _is_bare(front) and _is_had(chunks[:at]):
             assert isinstance(front, Noun)
             made.append(Connector("prepositions", "in_front_of", chunk.start, front.start, "in front of"))

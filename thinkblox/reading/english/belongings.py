@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from thinkblox.assets import kind_of
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -25,7 +25,7 @@ def with_belongings(chunks: Sequence[Chunk]) -> list[Chunk]:
             made[at : at + 3] = _part(own, made[at + 1 : at + 3])
         elif isinstance(link, Connector) and at > 1 and _is_had(made, at):
             made[at - 1] = Connector("prepositions", "with", link.start, link.end, "with")
-            after = made[at + 1] if at + 1 < len(made) else None
+            after = chunk_at(made, at + 1)
             if isinstance(after, Connector) and is_link(after, "joins", "and") and not _is_owned(made, at + 2):
                 made[at + 1] = Connector("mark", "comma", after.start, after.end, ",")
     return made
@@ -40,7 +40,7 @@ def _part(own: Noun, after: Sequence[Chunk]) -> list[Chunk]:
 
 
 def _is_owned(chunks: Sequence[Chunk], at: int) -> bool:
-    own = chunks[at] if at < len(chunks) else None
+    own = chunk_at(chunks, at)
     return isinstance(own, Noun) and own.text.lower().startswith(_OWNED)
 
 
@@ -55,7 +55,7 @@ def _is_part(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_had(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether a comma or "and" joins it to furniture, and nothing else is said of it alone."""
-    owner, after = chunks[at - 2], chunks[at + 1] if at + 1 < len(chunks) else None
+    owner, after = chunks[at - 2], chunk_at(chunks, at + 1)
     if not isinstance(owner, Noun) or owner.kind != "thing" or _is_owned(chunks, at - 2):
         return False
     if kind_of(owner.value).mount == "surface":

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun, chunk_at
 
 _BOOTHS: Mapping[str, str] = {
     "phone_booth": "phone_booth",
@@ -27,7 +27,7 @@ def with_booths(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_room(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether what comes after a booth tells of what is in it."""
-    noun, after = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+    noun, after = chunks[at], chunk_at(chunks, at + 1)
     if not isinstance(noun, Noun) or noun.many:
         return False
     if isinstance(after, Connector) and after.sort == "prepositions":

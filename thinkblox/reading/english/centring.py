@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -16,7 +16,7 @@ def with_centres(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what is centred on a thing is in its middle."""
     found: list[Chunk] = []
     for at, chunk in enumerate(chunks):
-        told = chunks[at + 1] if at + 1 < len(chunks) else None
+        told = chunk_at(chunks, at + 1)
         if isinstance(chunk, Connector) and _is_on_top(chunk, told) and _is_centred(found):
             middle = Noun("part", "middle", chunk.start, chunk.start, "the middle", det="the")
             of = Connector("prepositions", "of", chunk.start, chunk.start, "of")

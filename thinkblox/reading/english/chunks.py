@@ -175,6 +175,11 @@ def filler(chunk: Chunk) -> Connector:
     return Connector("fillers", "words", chunk.start, chunk.end, text_of([chunk]))
 
 
+def chunk_at(chunks: Sequence[Chunk], at: int) -> Chunk | None:
+    """The chunk at a place, or None past the end."""
+    return chunks[at] if at < len(chunks) else None
+
+
 def text_of(chunks: Sequence[Chunk]) -> str:
     """The words of chunks as they were written; a size has none."""
     return " ".join(str(getattr(chunk, "text", "")) for chunk in chunks)

@@ -8,7 +8,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.knowledge.collectives import Collective, collective
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray, text_of
+from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray, chunk_at, text_of
 from thinkblox.reading.english.said import is_link
 
 _PAIR = 2
@@ -81,7 +81,7 @@ def _with_looks(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        said, link = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+        said, link = chunks[at], chunk_at(chunks, at + 1)
         kinds = _kinds(said) if isinstance(said, Noun) else None
         lists = is_link(link, "mark", "colon") or (
             is_link(link, "prepositions", "as", "with") and str(getattr(link, "text", "")).lower() in _LISTING

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 
 _NO_PLACES = ("with", "without", "of", "for", "as", "instead", "from", "except")
 """Prepositions that do not say where things are."""
@@ -45,7 +45,7 @@ def _is_like(anchor: Noun, other: Noun) -> bool:
 
 def _ends(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether nothing more is said of it."""
-    after = chunks[at] if at < len(chunks) else None
+    after = chunk_at(chunks, at)
     return after is None or (isinstance(after, Connector) and after.sort in ("mark", "joins"))
 
 

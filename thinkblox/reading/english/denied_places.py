@@ -3,12 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_holding, is_link
 
 _PRONOUNS = ("they", "them", "it", "these", "those", "one")
-_HAVING = ("have", "hold", "carry")
 _REACH = 4
 """So many chunks at most from where a thing is not to be to where it is told to be."""
 _PLACES = ("on", "in", "at", "near", "by", "against", "next_to", "under", "along", "on_top", "above", "behind")
@@ -56,7 +55,7 @@ def _is_had_none(having: Connector, none: Noun) -> bool:
     """Whether it is said that something has none of some things, which are no parts of it."""
     if none.kind != "thing" or none.word in grammar().lists["features"]:
         return False
-    if is_link(having, "verbs", *_HAVING) or is_link(having, "prepositions", "with"):
+    if is_holding(having) or is_link(having, "prepositions", "with"):
         return none.det == "no"
     return is_link(having, "prepositions", "without") and having.text.lower() == "with no"
 
@@ -79,7 +78,7 @@ def _past_but(chunks: Sequence[Chunk], at: int) -> int:
     start = end
     while end < len(chunks) and (is_link(chunks[end], "joins", "but") or is_link(chunks[end], "negations", "only")):
         end += 1
-    thing = chunks[end] if end < len(chunks) else None
+    thing = chunk_at(chunks, end)
     only = isinstance(thing, Noun) and thing.text.lower().startswith(("only ", "just "))
     return end if end > start or only else at
 
@@ -102,7 +101,7 @@ def _is_place(chunk: Chunk) -> bool:
 
 def _told_elsewhere(chunks: Sequence[Chunk], at: int) -> int:
     """Where the pronoun stands of which it is said where it is to be; -1 where there is none."""
-    but = is_link(chunks[at] if at < len(chunks) else None, "joins", "but")
+    but = is_link(chunk_at(chunks, at), "joins", "but")
     if at >= len(chunks) or not (but or is_link(chunks[at], "mark")):
         return -1
     for told in range(at + 1, min(at + _REACH, len(chunks))):

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
+from thinkblox.reading.english.said import is_holding, is_link
 
 _EACH = "each of which"
-_HAVING, _STANDING = ("have", "hold", "carry"), ("be", "stand", "hang")
+_STANDING = ("be", "stand", "hang")
 _TURNED = {"face": "facing", "face_away": "facing_away"}
 _PAIR = 2
 
@@ -17,7 +17,7 @@ def with_each_of_which(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        chunk, verb = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+        chunk, verb = chunks[at], chunk_at(chunks, at + 1)
         several = _several_before(made) if isinstance(chunk, (Noun, Connector)) else None
         if (length := _both_look(chunks, at, made)) > 0:
             looks = _look_of(chunks[at : at + length])
@@ -28,7 +28,7 @@ def with_each_of_which(chunks: Sequence[Chunk]) -> list[Chunk]:
         if several is not None and length:
             made[-2] = replace(several, attributes=[*several.attributes, *_look_of(chunks[at : at + length])])
             at += length
-            if is_link(_at(chunks, at), "joins", "and"):
+            if is_link(chunk_at(chunks, at), "joins", "and"):
                 made.append(Noun("pronoun", "each", chunk.start, chunk.start + 1, "each", det="each"))
                 at += 1
             else:
@@ -71,12 +71,14 @@ def _looks(chunks: Sequence[Chunk], at: int, several: Noun | None) -> int:
     if several is None:
         return 0
     if isinstance(chunk, Noun) and chunk.kind == "pronoun" and chunk.value == "each":
-        length = 1 if chunk.attributes else 3 if is_link(_at(chunks, at + 1), "verbs", "be") else 0
+        length = 1 if chunk.attributes else 3 if is_link(chunk_at(chunks, at + 1), "verbs", "be") else 0
     else:
         both = isinstance(chunk, Connector) and chunk.sort == "fillers" and chunk.text.lower() == "both"
         length = _PAIR if both and several.count == _PAIR else 0
-    more = is_link(_at(chunks, at + length), "joins", "and") and not isinstance(_at(chunks, at + length + 1), Noun)
-    ends = is_link(_at(chunks, at + length), "mark") or more or at + length >= len(chunks)
+    more = is_link(chunk_at(chunks, at + length), "joins", "and") and not isinstance(
+        chunk_at(chunks, at + length + 1), Noun
+    )
+    ends = is_link(chunk_at(chunks, at + length), "mark") or more or at + length >= len(chunks)
     return length if length and ends and _look_of(chunks[at : at + length]) else 0
 
 
@@ -87,15 +89,11 @@ def _look_of(chunks: Sequence[Chunk]) -> list[str]:
     return last.attributes if plain and alone and isinstance(last, (Adjective, Noun)) else []
 
 
-def _at(chunks: Sequence[Chunk], at: int) -> Chunk | None:
-    return chunks[at] if at < len(chunks) else None
-
-
 def _plainly(verb: Chunk | None, after: Sequence[Chunk]) -> list[Chunk]:
     """What says the same as a verb without one: "with" for "has", nothing for "is" before where that is."""
     if not isinstance(verb, Connector):
         return [verb] if verb is not None else []
-    if is_link(verb, "verbs", *_HAVING):
+    if is_holding(verb):
         return [replace(verb, sort="prepositions", value="with")]
     if is_link(verb, "verbs", *_TURNED):
         return [replace(verb, sort="prepositions", value=_TURNED[verb.value])]

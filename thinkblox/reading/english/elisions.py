@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 
 _DETERMINED = ("a", "the", "another")
 _CORNERS = 4
@@ -52,7 +52,7 @@ def _is_on(chunk: Chunk) -> bool:
 
 def _is_of(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "of" comes after a noun."""
-    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunk_at(chunks, at + 1)
     return isinstance(after, Connector) and after.value == "of"
 
 

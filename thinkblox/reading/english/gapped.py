@@ -4,9 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
-from thinkblox.reading.english.said import is_link
-
-_HAVING = ("have", "hold", "carry")
+from thinkblox.reading.english.said import is_holding, is_link
 
 
 def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -48,7 +46,7 @@ def _said(made: Sequence[Chunk]) -> tuple[Connector, Noun, Connector | None] | N
         return None
     for at in range(begin, len(made) - 2):
         verb, thing = made[at : at + 2]
-        if not (isinstance(verb, Connector) and isinstance(thing, Noun) and is_link(verb, "verbs", *_HAVING)):
+        if not (isinstance(verb, Connector) and isinstance(thing, Noun) and is_holding(verb)):
             continue
         if thing.kind == "thing" and thing.det == "a":
             link, pronoun = (*made[at + 2 : at + 4], None, None)[:2]

@@ -6,7 +6,7 @@ from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _BESIDE = ("left_of", "right_of", "next_to", "near", "between")
@@ -41,7 +41,7 @@ def _hanging(chunks: Sequence[Chunk]) -> Iterator[tuple[Noun, Connector]]:
         hangs = is_link(chunk, "verbs", "hang") or is_link(chunk, "participles", "hang")
         if not isinstance(chunk, Connector) or not hangs or not at:
             continue
-        before, after = chunks[at - 1], chunks[at + 1] if at + 1 < len(chunks) else None
+        before, after = chunks[at - 1], chunk_at(chunks, at + 1)
         if is_link(before, "verbs", "be") and at > 1:
             before = chunks[at - 2]
         if isinstance(after, Noun) and after.kind == "thing" and not after.definite:

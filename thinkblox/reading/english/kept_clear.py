@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nothing_else import ANYTHING
 from thinkblox.reading.english.said import is_link
@@ -143,7 +143,7 @@ def _holds_only(chunks: Sequence[Chunk], at: int) -> bool:
 
 
 def _is_clear(chunks: Sequence[Chunk], at: int) -> bool:
-    said = chunks[at] if at < len(chunks) else None
+    said = chunk_at(chunks, at)
     return isinstance(said, Adjective) and said.text.lower() in grammar().lists["uncluttered"]
 
 

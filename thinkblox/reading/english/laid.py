@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
 
 _OVER = ("over", "across", "all over", "all across", "throughout")
@@ -35,7 +35,7 @@ def _on_floor(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks with "lies on the floor" for "adorns the floor"; what covers all of it is not to be had."""
     made: list[Chunk] = []
     for at, chunk in enumerate(chunks):
-        floor = chunks[at + 1] if at + 1 < len(chunks) else None
+        floor = chunk_at(chunks, at + 1)
         adorned = isinstance(chunk, Connector) and chunk.value == "line" and chunk.text.lower().startswith(_ADORN)
         if adorned and isinstance(chunk, Connector) and isinstance(floor, Noun) and floor.value == "floor":
             made += [replace(chunk, value="stand"), Connector("prepositions", "on", floor.start, floor.start, "on")]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at, filler
 from thinkblox.reading.english.said import is_link
 
 _LIKING = ("love", "loves", "like", "likes", "adore", "adores", "enjoy", "enjoys")
@@ -27,7 +27,7 @@ def with_likings(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _liked_from(chunks: Sequence[Chunk], at: int) -> int:
     """Where it begins what is liked, if the chunk says that somebody likes it; else 0."""
     said, who = chunks[at], chunks[at - 1] if at else None
-    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunk_at(chunks, at + 1)
     if isinstance(said, Noun) and said.word == "fan" and is_link(after, "prepositions", "of"):
         return at + 2
     if not isinstance(said, Connector) or not _is_somebody(who):

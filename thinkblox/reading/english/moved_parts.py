@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -38,10 +38,10 @@ def _whole_of(chunks: Sequence[Chunk], at: int) -> tuple[list[Chunk], int]:
         return [], 0
     if not isinstance(whole, Noun) or whole.kind != "thing" or not counted:
         return [], 0
-    if is_link(chunks[at + length] if at + length < len(chunks) else None, "verbs", "hold"):
+    if is_link(chunk_at(chunks, at + length), "verbs", "hold"):
         return [replace(whole, start=first.start)], length
     end = at + length + _being(chunks, at + length)
-    look = chunks[end] if end < len(chunks) else None
+    look = chunk_at(chunks, end)
     if not isinstance(look, Adjective) or (
         end == at + length and not (at and is_link(chunks[at - 1], "verbs", "leave"))
     ):
@@ -53,7 +53,7 @@ def _whole_of(chunks: Sequence[Chunk], at: int) -> tuple[list[Chunk], int]:
 
 def _being(chunks: Sequence[Chunk], at: int) -> int:
     """How many chunks "is slightly" has; 0 where no such verb comes."""
-    if not is_link(chunks[at] if at < len(chunks) else None, "verbs", "be"):
+    if not is_link(chunk_at(chunks, at), "verbs", "be"):
         return 0
     end = at + 1
     while end < len(chunks) and is_link(chunks[end], "fillers"):
@@ -99,7 +99,7 @@ def _is_part(noun: Noun) -> bool:
 
 def _ends(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether nothing else is listed that the thing has."""
-    after = chunks[at] if at < len(chunks) else None
+    after = chunk_at(chunks, at)
     if is_link(after, "joins", "and"):
-        return is_link(chunks[at + 1] if at + 1 < len(chunks) else None, "verbs")
+        return is_link(chunk_at(chunks, at + 1), "verbs")
     return after is None or is_link(after, "mark") or is_link(after, "verbs") or is_link(after, "prepositions")

@@ -3,11 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at
+from thinkblox.reading.english.said import is_holding, is_link
 
 _NONE = ("none", "no")
-_HAVING = ("have", "hold", "carry")
 _LENGTH = 3
 
 
@@ -17,7 +16,7 @@ def with_none_of(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         several, has, what = (*chunks[at : at + _LENGTH], None, None)[:_LENGTH]
-        told = isinstance(several, Noun) and is_link(has, "verbs", *_HAVING) and isinstance(what, Noun)
+        told = isinstance(several, Noun) and is_holding(has) and isinstance(what, Noun)
         if told and isinstance(several, Noun) and isinstance(what, Noun) and _have_none(chunks, at, several, what):
             others = [*chunks[:at], *chunks[at + _LENGTH :]]
             if several.det == "none" and not _is_named(several, others):
@@ -33,7 +32,7 @@ def with_none_of(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _have_none(chunks: Sequence[Chunk], at: int, several: Noun, what: Noun) -> bool:
     """Whether "none of them has a lamp" ends there, and what they are is told elsewhere."""
     end = at + _LENGTH + _on_it(chunks, at + _LENGTH)
-    after = chunks[end] if end < len(chunks) else None
+    after = chunk_at(chunks, end)
     ends = after is None or is_link(after, "mark") or is_link(after, "joins")
     opening = what.kind == "place" and what.value in ("window", "door")
     if not ends or what.definite or not (opening or what.kind == "thing"):

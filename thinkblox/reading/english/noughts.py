@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, filler
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at, filler
 from thinkblox.reading.english.grammar import grammar
 
 _TELLING = ("colon", "dash", "open")
@@ -37,7 +37,7 @@ def _is_countable(noun: Noun) -> bool:
 
 def _nought_after(chunks: Sequence[Chunk], at: int) -> int:
     """How many chunks say after a noun that there is none of it; 0 where they do not."""
-    link = chunks[at] if at < len(chunks) else None
+    link = chunk_at(chunks, at)
     told = isinstance(link, Connector) and link.sort == "mark" and link.value in _TELLING
     nought = chunks[at + told] if at + told < len(chunks) else None
     ends = chunks[at + told + 1] if at + told + 1 < len(chunks) else None

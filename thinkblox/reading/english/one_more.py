@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _ANOTHER = "another"
@@ -14,7 +14,7 @@ def with_one_more(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     single: Noun | None = None
     for at, chunk in enumerate(chunks):
-        verb = chunks[at + 1] if at + 1 < len(chunks) else None
+        verb = chunk_at(chunks, at + 1)
         if isinstance(chunk, Noun) and single is not None and _is_more(chunk, single) and _is_placing(verb):
             made.append(Noun("pronoun", "other", chunk.start, chunk.end, _ANOTHER))
             continue

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link, is_spatial
 
 
@@ -38,7 +38,7 @@ def _joining(chunks: Sequence[Chunk], at: int) -> int:
 
 def _is_on_one(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether a new thing comes, and then that it is on or by the left one, or the last one."""
-    thing = chunks[at] if at < len(chunks) else None
+    thing = chunk_at(chunks, at)
     at += 2 if at + 1 < len(chunks) and is_link(chunks[at + 1], "negations", "only") else 1
     link, one = (*chunks[at : at + 2], None, None)[:2]
     new = isinstance(thing, Noun) and thing.kind == "thing" and not thing.definite
@@ -51,6 +51,6 @@ def _is_only_of_others(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "the others only a lamp" leaves a verb out, so that "only" keeps nothing else away."""
     if not at or not is_link(chunks[at], "negations", "only"):
         return False
-    others, thing = chunks[at - 1], chunks[at + 1] if at + 1 < len(chunks) else None
+    others, thing = chunks[at - 1], chunk_at(chunks, at + 1)
     told = isinstance(others, Noun) and others.kind == "pronoun" and others.value == "other"
     return told and isinstance(thing, Noun) and thing.kind == "thing" and not thing.definite

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _ORDERED = ("put", "place", "set", "stand", "hang", "move", "leave", "lay")
@@ -16,7 +16,7 @@ def with_orders_not(chunks: Sequence[Chunk]) -> list[Chunk]:
         denied, before = made[at], made[at - 1]
         if not isinstance(denied, Connector) or not is_link(denied, "negations", "not"):
             continue
-        verb = made[at + 1] if at + 1 < len(made) else None
+        verb = chunk_at(made, at + 1)
         if isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.text.lower() in _ORDERED:
             denied = replace(denied, end=verb.end, text=f"{denied.text} {verb.text}")
             made[at : at + 2] = [denied]

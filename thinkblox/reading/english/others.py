@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 
 _SIDES = ("left", "right")
 _NEAR = 6
@@ -50,7 +50,7 @@ def _sided(chunks: Sequence[Chunk]) -> list[Chunk]:
         on = made[at + 1]
         if not some or part is None or not _is(on, "prepositions") or part.det == "my":
             continue
-        of = made[at + 3] if at + 3 < len(made) else None
+        of = chunk_at(made, at + 3)
         if isinstance(of, Connector) and of.value == "of":
             continue
         text = f"the {part.value} one" if said.count == 1 else f"the {part.value} ones"

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _PLACING = ("in", "on", "at", "by", "against", "along", "next_to", "near", "under", "in_front_of")
@@ -50,7 +50,7 @@ def _parted(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        link, between = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+        link, between = chunks[at], chunk_at(chunks, at + 1)
         if isinstance(link, Connector) and _parts_two(chunks, at) and isinstance(between, Noun):
             while made and (is_link(made[-1], "mark", "comma") or is_link(made[-1], "verbs", "be")):
                 made.pop()

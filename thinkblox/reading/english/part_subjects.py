@@ -4,14 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
+from thinkblox.reading.english.said import is_holding, is_link
 
 _TURNED = ("head", "back", "foot", "front")
 _SIDES = ("side", "end", "long_side", "short_side", "left", "right", "top", "middle")
 _BOTH, _WITH = ("each", "either", "both"), ("prepositions", "with")
 _OTHER = {"left": "right", "right": "left", "front": "back", "back": "front"}
-_HAVING = ("have", "hold", "carry")
 _PAIR = 9
 """So many chunks tell of two things at both sides of a third."""
 _PLACED = ("against", "facing", "to", "near", "next_to", "by")
@@ -29,7 +28,7 @@ def with_part_subjects(chunks: Sequence[Chunk]) -> list[Chunk]:
         if whole is None:
             continue
         verb, after = (*made[at + length : at + length + 2], None, None)[:2]
-        if part.value in _SIDES and isinstance(verb, Connector) and is_link(verb, "verbs", "have", "hold", "carry"):
+        if part.value in _SIDES and isinstance(verb, Connector) and is_holding(verb):
             made[at : at + length + 1] = _at_side(part, whole, verb)
         elif part.value in _TURNED and (link := _turned(verb, after)) is not None:
             made[at : at + length + (1 if verb is not None and link.start == verb.start else 2)] = [
@@ -65,8 +64,8 @@ def _with_other_side(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif isinstance(chunk, Noun) and chunk.kind == "part" and chunk.value in _OTHER:
             owner, length = _whole(chunks, at) if chunk.owner == "" else (None, 0)
             having = chunks[at + length] if owner is not None and at + length < len(chunks) else None
-            after = chunks[at + 1] if at + 1 < len(chunks) else None
-            if owner is not None and isinstance(having, Connector) and is_link(having, "verbs", *_HAVING):
+            after = chunk_at(chunks, at + 1)
+            if owner is not None and isinstance(having, Connector) and is_holding(having):
                 whole, verb = owner, having
             elif whole is not None and verb is not None and _is_new(after, chunks[at - 1]):
                 made += [*_of(whole, chunk.end), replace(verb, start=chunk.end, end=chunk.end)]

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.said import is_link, is_spatial
@@ -17,7 +17,7 @@ def with_wholes(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        part, whole = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+        part, whole = chunks[at], chunk_at(chunks, at + 2)
         parted = isinstance(part, Noun) and part.word in grammar().lists["parts"] and part.value not in SIDES
         parted &= is_link(chunks[at + 1], "prepositions", "of") if whole is not None else False
         there = bool(at) and is_link(chunks[at - 1], "prepositions", "in", "on", "from")
@@ -42,7 +42,7 @@ def _tells_where(chunks: Sequence[Chunk], at: int) -> bool:
     if at < len(chunks) and is_link(chunks[at], "mark", "comma"):
         at += 1
         return at < len(chunks) and is_link(chunks[at], "joins", "which")
-    link = chunks[at] if at < len(chunks) else None
+    link = chunk_at(chunks, at)
     return is_link(link, "joins", "which") or (isinstance(link, Connector) and is_spatial(link))
 
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.repaint import MATERIALS
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.moved_parts import MOVED
 from thinkblox.reading.english.said import is_link
@@ -94,7 +94,7 @@ def _where_meant(link: Connector, chunks: Sequence[Chunk], at: int) -> str:
 
 def _is_hung_from(link: Connector, chunks: Sequence[Chunk], at: int) -> bool:
     """Whether something "hangs from" a hook or a rack, which it is on."""
-    hook = chunks[at + 1] if at + 1 < len(chunks) else None
+    hook = chunk_at(chunks, at + 1)
     hung = at > 0 and (is_link(chunks[at - 1], "verbs", "hang") or is_link(chunks[at - 1], "participles", "hang"))
     return hung and link.value == "from" and isinstance(hook, Noun) and hook.kind == "thing"
 
@@ -125,7 +125,7 @@ def _without_past(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_own_door(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "its door is open" comes after a thing that has doors of its own."""
-    door, state = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    door, state = chunks[at], chunk_at(chunks, at + 2)
     own = isinstance(door, Noun) and door.kind in ("place", "thing") and door.det == "my" and door.word in MOVED
     told = own and is_link(chunks[at + 1], "verbs", "be") if state is not None else False
     if not told or not isinstance(state, Adjective) or not state.states:
@@ -142,8 +142,8 @@ def _lying_state(chunks: Sequence[Chunk], at: int) -> str:
 
 def _is_on_its_side(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "on its side" comes after "lies", which tells how a thing lies and not where."""
-    lies, side = chunks[at - 1] if at else None, chunks[at + 1] if at + 1 < len(chunks) else None
-    after = chunks[at + 2] if at + 2 < len(chunks) else None
+    lies, side = chunks[at - 1] if at else None, chunk_at(chunks, at + 1)
+    after = chunk_at(chunks, at + 2)
     if not is_link(chunks[at], "prepositions", "on") or not isinstance(side, Noun) or side.kind != "part":
         return False
     lying = isinstance(lies, Connector) and lies.sort in ("verbs", "participles") and lies.text.lower() in _LYING
@@ -153,7 +153,7 @@ def _is_on_its_side(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_tucked(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "tucked in" comes, and nothing that it would be in."""
-    link, after = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    link, after = chunks[at], chunk_at(chunks, at + 2)
     if not isinstance(link, Connector) or link.text.lower() != "tucked" or at + 1 >= len(chunks):
         return False
     ends = after is None or is_link(after, "mark") or is_link(after, "joins")
@@ -162,7 +162,7 @@ def _is_tucked(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_left_out(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "except the top one" comes after how all are, of which the one left out is something else."""
-    said, one = chunks[at - 1] if at else None, chunks[at + 1] if at + 1 < len(chunks) else None
+    said, one = chunks[at - 1] if at else None, chunk_at(chunks, at + 1)
     if not isinstance(said, Adjective) or not said.states or not is_link(chunks[at], "prepositions", "except"):
         return False
     return isinstance(one, Noun) and one.kind == "number" and bool(one.unshown)
@@ -177,7 +177,7 @@ def _not_understood(chunks: Sequence[Chunk], at: int) -> int:
 
 def _is_of_opening(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "between them" is said of a window or door, which is where the room has it."""
-    opening, them = (chunks[at - 1] if at else None), (chunks[at + 1] if at + 1 < len(chunks) else None)
+    opening, them = (chunks[at - 1] if at else None), (chunk_at(chunks, at + 1))
     new = isinstance(opening, Noun) and opening.kind == "place" and opening.value.split()[0] in ("window", "door")
     new = new and isinstance(opening, Noun) and not opening.definite
     pointed = isinstance(them, Noun) and them.kind == "pronoun"
@@ -186,7 +186,7 @@ def _is_of_opening(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_missing(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "the two missing ones" comes."""
-    some, ones = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    some, ones = chunks[at], chunk_at(chunks, at + 2)
     if not isinstance(some, Noun) or not isinstance(ones, Noun) or some.kind not in ("number", "pronoun"):
         return False
     return is_link(chunks[at + 1], "negations", "gone") and ones.word == "one" and not ones.named
@@ -194,7 +194,7 @@ def _is_missing(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _material(chunks: Sequence[Chunk], at: int) -> str:
     """The material of "a table from glass"; empty where none follows."""
-    thing, matter = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    thing, matter = chunks[at], chunk_at(chunks, at + 2)
     if not isinstance(thing, Noun) or thing.kind != "thing" or not isinstance(matter, Noun):
         return ""
     bare = not (matter.det or matter.count or matter.plural or matter.attributes)
@@ -250,7 +250,7 @@ def _is_leant_on(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether something leans against a thing, beside which it then is."""
     leans = chunks[at - 1] if at else None
     leant = isinstance(leans, Connector) and leans.text.lower() in _LEANING
-    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunk_at(chunks, at + 1)
     return (
         leant and is_link(chunks[at], "prepositions", "against") and isinstance(after, Noun) and after.kind == "thing"
     )

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from thinkblox.knowledge.vocabulary import is_person, name_of
-from thinkblox.reading.english.chunks import Chunk, Noun, filler
+from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at, filler
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -30,7 +30,7 @@ def _begins(chunks: Sequence[Chunk], at: int) -> bool:
     if not isinstance(chunk, Noun):
         return False
     if chunk.kind == "people":
-        verb = chunks[at + 1] if at + 1 < len(chunks) else None
+        verb = chunk_at(chunks, at + 1)
         return is_link(verb, "verbs", "other") and getattr(verb, "text", "").lower() in grammar().lists["trades"]
     words = [word.lower() for word in chunk.text.split()][chunk.det in ("the", "my") :]
     strange = chunk.kind == "thing" and not (chunk.named or chunk.count) and len(words) == len(("guests", "complain"))
@@ -52,7 +52,7 @@ def _end(chunks: Sequence[Chunk], at: int) -> int:
     """Where the clause ends; `at` where it names what is new, says where what they use is, or goes on for long."""
     known = getattr(chunks[at], "kind", "") == "people"
     for end in range(at + 1, min(at + _LONGEST, len(chunks) + 1)):
-        chunk = chunks[end] if end < len(chunks) else None
+        chunk = chunk_at(chunks, end)
         if chunk is None or is_link(chunk, "mark"):
             return end
         new = isinstance(chunk, Noun) and chunk.kind == "thing" and (chunk.count or chunk.det in ("a", "each", "no"))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _LYING = ("patient", "resident", "child", "infant", "baby", "newborn", "guest", "occupant", "soldier", "casualty")
@@ -18,7 +18,7 @@ def with_persons_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, person in enumerate(made):
         if not isinstance(person, Noun) or person.kind != "people":
             continue
-        link, after = made[at - 1] if at else None, made[at + 1] if at + 1 < len(made) else None
+        link, after = made[at - 1] if at else None, chunk_at(made, at + 1)
         owns = person.each and is_link(after, "verbs", "have")
         beside = person.each and is_link(link, "prepositions", *_SIDES)
         per = is_link(link, "prepositions", "per")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at, filler
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
@@ -44,16 +44,12 @@ def _picture(chunks: Sequence[Chunk], at: int) -> int:
     told = isinstance(picture, Noun) and not picture.many and bool(picture.text)
     if not told or not isinstance(picture, Noun) or picture.word not in grammar().lists["depictions"]:
         return 0
-    if is_link(link, "verbs", "be") and is_link(_at(chunks, at + 2), "prepositions", "of"):
-        return 3 if _is_room(_at(chunks, at + 3)) else 0
+    if is_link(link, "verbs", "be") and is_link(chunk_at(chunks, at + 2), "prepositions", "of"):
+        return 3 if _is_room(chunk_at(chunks, at + 3)) else 0
     shows = is_link(link, "mark", "colon") or str(getattr(link, "text", "")).lower() in grammar().lists["showing_verbs"]
     of = is_link(link, "prepositions", "of") or (picture.word in _MADE and is_link(link, "prepositions", "for"))
-    shows |= of and not _hangs(_at(chunks, at + 3))
-    return 2 if shows and _is_room(_at(chunks, at + 2)) else 0
-
-
-def _at(chunks: Sequence[Chunk], at: int) -> Chunk | None:
-    return chunks[at] if at < len(chunks) else None
+    shows |= of and not _hangs(chunk_at(chunks, at + 3))
+    return 2 if shows and _is_room(chunk_at(chunks, at + 2)) else 0
 
 
 def _is_room(chunk: Chunk | None) -> bool:

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
+from thinkblox.reading.english.said import is_holding, is_link
 
 _AT = {"corner": "in", "window": "at", "centre": "in"}
 """How what a place has stands to it; "on" for a wall, which has things by itself where it is one."""
@@ -28,7 +28,7 @@ def with_places_having(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what each wall, a corner or a window has is there, and what a wall is lined with."""
     made = list(chunks)
     for at in range(len(made) - 1, -1, -1):
-        place, verb = made[at], made[at + 1] if at + 1 < len(made) else None
+        place, verb = made[at], chunk_at(made, at + 1)
         begins = not at or is_link(made[at - 1], "mark", "stop", "semicolon", "colon") or _goes_on(made, at)
         if not begins or not isinstance(place, Noun) or not isinstance(verb, Connector):
             continue
@@ -74,7 +74,7 @@ def _word_after(chunks: Sequence[Chunk], at: int) -> str:
 
 
 def _has(verb: Connector) -> bool:
-    return is_link(verb, "verbs", "have", "hold", "carry")
+    return is_holding(verb)
 
 
 def _word_before(place: Noun) -> str:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at, filler
 from thinkblox.reading.english.said import is_link
 
 _SUBJECTS = ("it", "they", "that", "this")
@@ -51,7 +51,7 @@ def _is_reason(chunks: Sequence[Chunk], at: int) -> bool:
     if not isinstance(subject, Noun) or subject.text.lower() not in _SUBJECTS or not isinstance(led, Connector):
         return False
     giving = led.text.lower() in _GIVING
-    verb = chunks[at + 1] if at + 1 < len(chunks) else None
+    verb = chunk_at(chunks, at + 1)
     unknown = isinstance(verb, Noun) and verb.kind == "thing" and not (verb.det or verb.named or verb.count)
     if not (giving or (is_link(led, "mark", "comma") and unknown)):
         return False

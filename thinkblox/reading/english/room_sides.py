@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.places import WALLS
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_holding, is_link
 
 _SIDES = ("left", "right", "front", "back")
 _PAIR = 2
@@ -60,10 +60,10 @@ def _has(chunks: Sequence[Chunk], at: int, before: Sequence[Chunk]) -> bool:
 
 def _is_one_of_two(chunks: Sequence[Chunk], at: int, before: Sequence[Chunk]) -> bool:
     """Whether "the left has a lamp" comes after two things were named of which there is a left one."""
-    verb = chunks[at + 1] if at + 1 < len(chunks) else None
+    verb = chunk_at(chunks, at + 1)
     begins = not before or is_link(before[-1], "mark") or is_link(before[-1], "joins", "and", "but")
     two = (c for c in before if isinstance(c, Noun) and c.kind == "thing" and c.count == _PAIR and not c.total)
-    return begins and is_link(verb, "verbs", "have", "hold", "carry") and any(two)
+    return begins and is_holding(verb) and any(two)
 
 
 def _is_of_opening(chunks: Sequence[Chunk], at: int) -> bool:
@@ -72,5 +72,5 @@ def _is_of_opening(chunks: Sequence[Chunk], at: int) -> bool:
     led = at > 2 and is_link(chunks[at - 2], "verbs", "be")
     opening = chunks[at - 3] if led else chunks[at - 2] if at > 1 else None
     place = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
-    whole = chunks[at + 1] if at + 1 < len(chunks) else None
+    whole = chunk_at(chunks, at + 1)
     return place and is_link(link, "prepositions", "on", "at", "to", "in") and not is_link(whole, "prepositions", "of")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at, filler
 from thinkblox.reading.english.said import is_link
 
 _CENTRED = ("centred", "centered", "built", "arranged", "organised", "organized")
@@ -34,7 +34,7 @@ def _without_in_it(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - 1, 0, -1):
         within, it = (*made[at : at + 2], None)[:2]
-        end = made[at + 2] if at + 2 < len(made) else None
+        end = chunk_at(made, at + 2)
         ends = end is None or is_link(end, "mark", "stop", "semicolon") or is_link(end, "mark", "comma")
         pointed = isinstance(it, Noun) and (it.kind, it.value) == ("pronoun", "it")
         if not (pointed and ends and is_link(within, "prepositions", "in", "inside")):

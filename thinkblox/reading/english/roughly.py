@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray, filler
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray, chunk_at, filler
 from thinkblox.reading.english.said import is_link
 
 _PLAIN = frozenset("fancy fussy flashy special elaborate extravagant luxurious showy posh grand elegant".split())
@@ -43,12 +43,12 @@ def with_rough(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_or_more(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "a plant or two" comes."""
-    one, number = chunks[at], chunks[at + 2] if at + 2 < len(chunks) else None
+    one, number = chunks[at], chunk_at(chunks, at + 2)
     if not isinstance(one, Noun) or not isinstance(number, Noun) or not is_link(chunks[at + 1], "joins", "or"):
         return False
     single = one.kind == "thing" and one.det == "a" and one.count in (None, 1) and not one.plural
     plain = number.kind == "number" and not (number.attributes or number.unshown or number.of_known or number.det)
-    after = chunks[at + 3] if at + 3 < len(chunks) else None
+    after = chunk_at(chunks, at + 3)
     return single and plain and (number.count or 0) > 1 and not isinstance(after, Noun | Adjective)
 
 
@@ -112,7 +112,7 @@ def _told_far(chunks: Sequence[Chunk], at: int) -> int:
 
 def _is_each_again(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "one crate each" comes after "crates of apples and pears", of which it says what each is for."""
-    noun, each = chunks[at], chunks[at + 1] if at + 1 < len(chunks) else None
+    noun, each = chunks[at], chunk_at(chunks, at + 1)
     if not isinstance(noun, Noun) or not isinstance(each, Noun) or each.value != "each" or noun.kind != "thing":
         return False
     if noun.count != 1 or not at or not is_link(chunks[at - 1], "mark", "comma", "dash", "open"):

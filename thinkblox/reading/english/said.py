@@ -153,6 +153,11 @@ def is_link(chunk: Chunk | None, sort: str, *values: str) -> bool:
     return isinstance(chunk, Connector) and chunk.sort == sort and (not values or chunk.value in values)
 
 
+def is_holding(chunk: Chunk | None) -> bool:
+    """Whether it is a verb by which something has, holds or carries what comes."""
+    return is_link(chunk, "verbs", *_HAVING["verbs"])
+
+
 def is_spatial(link: Connector) -> bool:
     """Whether it is a preposition that says where something is."""
     return link.sort == "prepositions" and link.value in _SPATIAL

@@ -5,9 +5,8 @@ from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, filler
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_holding, is_link
 
-_HOLDING = ("have", "hold", "carry")
 _CARRYING = ("on", "on_top", "in", "inside", "at", "under", "above")
 
 
@@ -37,9 +36,7 @@ def _is_between_them(chunks: Sequence[Chunk], at: int) -> bool:
     verb = next((n for n in range(at - 3, 0, -1) if not _is_listed(chunks[n])), 0)
     who = chunks[:verb][::-1]
     holders = next((c for c in who if isinstance(c, Noun) and c.kind == "thing"), None)
-    return (
-        is_link(chunks[verb], "verbs", *_HOLDING) and holders is not None and (held.count or 1) > (holders.count or 1)
-    )
+    return is_holding(chunks[verb]) and holders is not None and (held.count or 1) > (holders.count or 1)
 
 
 def _is_listed(chunk: Chunk) -> bool:
@@ -64,7 +61,7 @@ def _more_of(chunks: Sequence[Chunk], at: int) -> Noun | None:
     """Of what "the table carries twelve more": of the small things that were counted last."""
     more = chunks[at]
     told = isinstance(more, Noun) and more.text.lower().endswith(" more") and not more.attributes
-    held = at > 0 and (is_link(chunks[at - 1], "verbs", *_HOLDING) or is_link(chunks[at - 1], "prepositions", "with"))
+    held = at > 0 and (is_holding(chunks[at - 1]) or is_link(chunks[at - 1], "prepositions", "with"))
     ends = at + 1 >= len(chunks) or isinstance(chunks[at + 1], Connector)
     if not (told and held and ends):
         return None

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _STATES = {"on": "switched on", "off": "switched off"}
@@ -24,7 +24,7 @@ def _is_switched(chunks: Sequence[Chunk], at: int) -> bool:
     link = chunks[at]
     if not isinstance(link, Connector) or link.sort != "prepositions" or link.text.lower() not in _STATES or not at:
         return False
-    after = chunks[at + 1] if at + 1 < len(chunks) else None
+    after = chunk_at(chunks, at + 1)
     ends = after is None or is_link(after, "mark", "stop", "semicolon", "comma", "close") or is_link(after, "joins")
     ends |= link.text.lower() == "off" and is_link(after, "prepositions")
     return ends and (_is_said(chunks, at - 1) or _is_had(chunks, at - 1))

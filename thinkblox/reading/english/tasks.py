@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.goals import GOAL
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
@@ -31,7 +31,7 @@ def is_tasked(chunks: Sequence[Chunk], noun: Noun) -> bool:
 def _task(chunks: Sequence[Chunk], at: int) -> int:
     """How many chunks name what is done with the thing that comes after them; 0 where they do not."""
     for length in range(_MOST, 0, -1):
-        after = chunks[at + length] if at + length < len(chunks) else None
+        after = chunk_at(chunks, at + length)
         known = isinstance(after, Noun) and after.kind == "thing" and after.det in ("the", "all")
         if known and _is_known(chunks[at : at + length]):
             return length

@@ -6,8 +6,8 @@ from dataclasses import replace
 from thinkblox.assets.palette import COLOURS
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, filler
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at, filler
+from thinkblox.reading.english.said import is_holding, is_link
 
 _SIDES = ("left", "right")
 _SIZES = ("large", "small")
@@ -56,7 +56,7 @@ def _shelves(chunks: Sequence[Chunk]) -> list[Chunk]:
     seen: set[str] = set()
     named = False
     for at, chunk in enumerate(chunks):
-        verb = chunks[at + 1] if at + 1 < len(chunks) else None
+        verb = chunk_at(chunks, at + 1)
         named |= isinstance(chunk, Noun) and chunk.kind == "thing" and load_habits().is_in(chunk.value, *_SHELVED)
         last = made[-1] if made else None
         if isinstance(chunk, Noun) and _is_shelf(chunk) and _holds(verb):
@@ -74,7 +74,7 @@ def _is_shelf(noun: Noun) -> bool:
 
 
 def _holds(verb: Chunk | None) -> bool:
-    return is_link(verb, "verbs", "hold", "have", "carry")
+    return is_holding(verb)
 
 
 def _shelf(noun: Noun, seen: set[str]) -> Noun:

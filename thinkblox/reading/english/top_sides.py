@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, text_of
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at, text_of
 from thinkblox.reading.english.said import is_link
 
 _CARRIED = 4
@@ -88,7 +88,7 @@ def _top_of_edge(chunks: Sequence[Chunk], at: int) -> Noun | None:
     edge, small = chunks[at], chunks[at - 2] if at > 1 else None
     if not isinstance(edge, Noun) or edge.kind != "part" or edge.word not in ("edge", "rim") or edge.det != "the":
         return None
-    told = is_link(chunks[at + 1] if at + 1 < len(chunks) else None, "prepositions", "of")
+    told = is_link(chunk_at(chunks, at + 1), "prepositions", "of")
     if told or not is_link(chunks[at - 1], "prepositions") or not isinstance(small, Noun) or small.kind != "thing":
         return None
     ended = next((n for n in range(at - 1, -1, -1) if is_link(chunks[n], "mark", "stop", "semicolon")), -1)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _SUMMED = ("in all", "in total", "altogether", "all told", "all together", "overall", "combined")
@@ -17,7 +17,7 @@ def with_totals(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, noun in enumerate(made):
         if not isinstance(noun, Noun) or noun.kind != "thing":
             continue
-        after = made[at + 1] if at + 1 < len(made) else None
+        after = chunk_at(made, at + 1)
         summed = noun.text.lower().startswith(_TOTAL)
         summed |= isinstance(after, Connector) and after.text.lower() in _SUMMED
         if summed and noun.count and noun.value in named and not noun.of_known:

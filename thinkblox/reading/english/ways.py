@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.places import WALLS
 from thinkblox.reading.english.said import is_link
 
@@ -54,7 +54,7 @@ def _reaches(before: Chunk | None, said: Sequence[Chunk]) -> bool:
 
 
 def _hangs_from_window(chunks: Sequence[Chunk], at: int) -> bool:
-    window = chunks[at + 1] if at + 1 < len(chunks) else None
+    window = chunk_at(chunks, at + 1)
     hung = at > 0 and (is_link(chunks[at - 1], "verbs", "hang") or is_link(chunks[at - 1], "participles", "hang"))
     place = isinstance(window, Noun) and window.kind == "place" and window.value == "window"
     return hung and place and is_link(chunks[at], "prepositions", "from")
