@@ -31,8 +31,8 @@ def load_keepers() -> Keepers:
 
 
 @lru_cache(maxsize=1)
-def keeping_openings() -> frozenset[tuple[str, ...]]:
-    """The words before what is kept: "place for", "somewhere to hang"."""
+def keeping_openings() -> dict[str, frozenset[tuple[str, ...]]]:
+    """The words before what is kept ("place for", "somewhere to hang"): what may follow the first of them."""
     known = load_keepers()
-    pairs = ((spot, way) for spot in known.spots.split(", ") for way in known.ways.split(", "))
-    return frozenset((spot, *way.split()) for spot, way in pairs)
+    ways = frozenset(tuple(way.split()) for way in known.ways.split(", "))
+    return dict.fromkeys(known.spots.split(", "), ways)

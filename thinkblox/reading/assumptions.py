@@ -617,8 +617,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 def _is_met_at(draft: Draft, table: Mention) -> bool:
     """Whether people meet at it who have desks of their own: no table of any kind, but that of another type of room."""
     place, usual = room_type(draft.room).place, next(iter(load_habits().group("meal_tables")), "")
-    named = table.noun != usual and any(kind.seats_at == table.noun for kind in room_types().values())
-    return named and bool(place) and load_habits().is_in(place, "desks")
+    desks = bool(place) and load_habits().is_in(place, "desks")
+    return desks and table.noun != usual and any(kind.seats_at == table.noun for kind in room_types().values())
 
 
 def _is_one(noun: str, category: str) -> bool:

@@ -61,8 +61,7 @@ def bind(draft: Draft, bond: Bond) -> None:
     if bond.subject.owner is not None and not bond.implied:
         vaguer = [old for old in draft.bonds_of(bond.subject) if _is_sharper(bond, old)]
         bond.each |= bond.kind != "between" and any(old.each and old.anchors == bond.anchors for old in vaguer)
-        if vaguer:
-            draft.bonds = [old for old in draft.bonds if old not in vaguer]
+        draft.unsay(vaguer)
     draft.bonds.append(bond)
 
 

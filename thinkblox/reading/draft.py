@@ -1,5 +1,6 @@
 """What has been understood so far: things, their bonds, the room. Mutable; `read_brief` makes a Brief of it."""
 
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 
 from thinkblox.brief import RelationKind, SurfaceRequest, Word
@@ -93,11 +94,20 @@ class _Subjects:
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`, in their order."""
-        while self._seen < len(self._bonds):
-            bond = self._bonds[self._seen]
-            self._by_subject.setdefault(bond.subject, []).append(bond)
-            self._seen += 1
+        self._catch_up()
         return list(self._by_subject.get(thing, ()))
+
+    def leave(self, gone: Collection[Bond], bonds: list[Bond]) -> None:
+        """Go on with a list from which some bonds were taken."""
+        self._catch_up()
+        for bond in gone:
+            self._by_subject[bond.subject].remove(bond)
+        self._bonds, self._seen = bonds, len(bonds)
+
+    def _catch_up(self) -> None:
+        for bond in self._bonds[self._seen :]:
+            self._by_subject.setdefault(bond.subject, []).append(bond)
+        self._seen = len(self._bonds)
 
 
 @dataclass(eq=False)
@@ -153,9 +163,19 @@ class Draft:
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""
+        return self._known_subjects().bonds_of(thing)
+
+    def _known_subjects(self) -> "_Subjects":
         if self._subjects is None or not self._subjects.is_of(self.bonds):
             self._subjects = _Subjects(self.bonds)
-        return self._subjects.bonds_of(thing)
+        return self._subjects
+
+    def unsay(self, bonds: Iterable[Bond]) -> None:
+        """Forget some bonds."""
+        if gone := list(bonds):
+            known = self._known_subjects()
+            self.bonds = [bond for bond in self.bonds if bond not in gone]
+            known.leave(gone, self.bonds)
 
     def hand_over(self, bond: Bond, subject: Mention) -> None:
         """Say of another thing what a bond says; nothing else may change the subject of a bond."""
@@ -165,4 +185,4 @@ class Draft:
     def drop(self, thing: Mention) -> None:
         """Forget a thing and its bonds."""
         self.things = [t for t in self.things if t is not thing]
-        self.bonds = [b for b in self.bonds if b.subject is not thing and thing not in b.anchors]
+        self.unsay(b for b in self.bonds if b.subject is thing or thing in b.anchors)

@@ -23,8 +23,8 @@ def keep_things(draft: Draft) -> None:
 
 def _opening(said: list[str], at: int) -> int:
     """How many words at `at` say that there is to be a place for what comes next."""
-    openings = keeping_openings()
-    return next((n for n in range(_LONGEST, 1, -1) if tuple(said[at : at + n]) in openings), 0)
+    ways = keeping_openings().get(said[at], ())
+    return next((n for n in range(_LONGEST, 1, -1) if tuple(said[at + 1 : at + n]) in ways), 0) if ways else 0
 
 
 def _between(said: list[str], at: int) -> int:

@@ -49,7 +49,7 @@ def _is_named_again(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _is_after_thing(chunks: Sequence[Chunk], at: int) -> bool:
     before = chunks[at - 1] if at else None
-    return is_link(chunks[at], "mark", "comma") and isinstance(before, Noun) and before.kind == "thing"
+    return isinstance(before, Noun) and before.kind == "thing" and is_link(chunks[at], "mark", "comma")
 
 
 def _only_one(chunks: Sequence[Chunk], at: int) -> int:

@@ -42,9 +42,10 @@ def with_asides(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _is_of_it_too(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether "underneath" comes in "has a lamp on it and a bin underneath", which is under the same thing."""
+    if at < _ITEMS or not is_link(chunks[at], "prepositions", *_UNDER_OR_OVER):
+        return False
     after = chunk_at(chunks, at + 1)
-    ends = after is None or is_link(after, "mark") or is_link(after, "joins")
-    if not ends or at < _ITEMS or not is_link(chunks[at], "prepositions", *_UNDER_OR_OVER):
+    if not (after is None or is_link(after, "mark") or is_link(after, "joins")):
         return False
     it, joint, thing = chunks[at - 3 : at]
     joined = is_link(joint, "joins", "and") and isinstance(thing, Noun) and thing.kind == "thing"

@@ -222,7 +222,7 @@ def _of_columns(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a grid is so many rows of as many as it has columns: "four rows and six columns"."""
     found: list[Chunk] = []
     for chunk in chunks:
-        link = found[-1] if len(found) > 1 else None
+        link = found[-1] if len(found) > 1 and isinstance(chunk, Noun) else None
         crossing = is_link(link, "joins", "and") or is_link(link, "prepositions", "by")
         rows = found[-2] if crossing else None
         if not (isinstance(chunk, Noun) and isinstance(rows, Noun) and rows.kind == "number" and rows.rows > 1):

@@ -11,6 +11,8 @@ from thinkblox.reading.english.said import is_link
 _EMPTY = "empty"
 _BARE = "bare"
 """What walls are on which nothing hangs."""
+_LAST = 3
+"""Chunks of "free of clutter" after what it is said of."""
 _MOST = 2
 """Most chunks before "nothing" in "a desk with nothing on it", "there is nothing on the desk"."""
 _LEAVING = ("leave", "keep", "leaving", "keeping")
@@ -53,7 +55,7 @@ def _uncluttered(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     for chunk in chunks:
         made.append(chunk)
-        thing, link, clutter = [*(None, None, None), *made][-3:]
+        thing, link, clutter = (None, None, None, *made[-_LAST:])[-_LAST:]
         said = thing if not is_link(thing, "verbs", "be") else made[-4] if len(made) > _MOST + 1 else None
         free = isinstance(link, Connector) and link.value in ("without", "far") and link.text.lower() in _FREE_OF
         cluttered = isinstance(clutter, Noun) and not _CLUTTER.isdisjoint(clutter.text.lower().split())

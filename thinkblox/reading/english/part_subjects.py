@@ -20,9 +20,10 @@ def with_part_subjects(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a thing stands as a part of it is said to, and what its sides have is at these."""
     made = _with_whole_told_later(_with_other_side(_with_ends(chunks)))
     for at in range(len(made) - 1, -1, -1):
-        begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and")
         part = made[at]
-        if not begins or not isinstance(part, Noun) or part.kind != "part":
+        if not isinstance(part, Noun) or part.kind != "part":
+            continue
+        if at and not (is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and")):
             continue
         whole, length = _whole(made, at)
         if whole is None:
@@ -44,10 +45,11 @@ def _with_ends(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at in range(3, len(made) - 1):
         seat, has, thing, link, end = made[at - 3 : at + 2]
         both = isinstance(end, Noun) and end.kind == "part" and end.value == "end" and end.det in _BOTH
-        both &= is_link(link, "prepositions", "at", "on")
+        if not both or not is_link(link, "prepositions", "at", "on"):
+            continue
         leant = isinstance(seat, Noun) and load_habits().is_in(seat.value, "lounges") and is_link(has, *_WITH)
         small = isinstance(thing, Noun) and load_habits().is_in(thing.value, "small")
-        if both and leant and small and isinstance(link, Connector) and isinstance(end, Noun):
+        if leant and small and isinstance(link, Connector) and isinstance(end, Noun):
             made[at], made[at + 1] = replace(link, value="on"), replace(end, value="side")
     return made
 
@@ -88,13 +90,13 @@ def _with_whole_told_later(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - _PAIR, -1, -1):
         one, link, side, joint, other, again, across, of, whole = made[at : at + _PAIR]
-        sides = isinstance(side, Noun) and isinstance(across, Noun) and _OTHER.get(side.value) == across.value
+        if not (isinstance(side, Noun) and isinstance(across, Noun) and _OTHER.get(side.value) == across.value):
+            continue
         placed = is_link(link, "prepositions", "on", "at", "to") and is_link(again, "prepositions", "on", "at", "to")
         things = all(isinstance(noun, Noun) and noun.kind == "thing" for noun in (one, other, whole))
-        if not (sides and placed and things and is_link(joint, "joins", "and") and is_link(of, "prepositions", "of")):
+        if not (placed and things and is_link(joint, "joins", "and") and is_link(of, "prepositions", "of")):
             continue
         assert isinstance(whole, Noun)
-        assert isinstance(side, Noun)
         first = replace(whole, start=side.end, end=side.end)
         made[at + _PAIR - 1] = replace(whole, det="the", text=f"the {whole.text.split()[-1]}")
         made[at + 3 : at + 3] = [Connector("prepositions", "of", side.end, side.end, "of"), first]

@@ -18,14 +18,18 @@ def with_wholes(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         part, whole = chunks[at], chunk_at(chunks, at + 2)
-        parted = isinstance(part, Noun) and part.word in grammar().lists["parts"] and part.value not in SIDES
+        if not isinstance(part, Noun):
+            made.append(part)
+            at += 1
+            continue
+        parted = part.word in grammar().lists["parts"] and part.value not in SIDES
         parted &= is_link(chunks[at + 1], "prepositions", "of") if whole is not None else False
         there = bool(at) and is_link(chunks[at - 1], "prepositions", "in", "on", "from")
-        told = isinstance(part, Noun) and part.definite and _tells_where(chunks, at + 3)
-        if isinstance(part, Noun) and _is_end_at_wall(chunks, at):
+        told = part.definite and _tells_where(chunks, at + 3)
+        if _is_end_at_wall(chunks, at):
             made.append(_whole_of(part))
             at += 1
-        elif isinstance(part, Noun) and part.kind == "part" and part.of_known and part.count == 1:
+        elif part.kind == "part" and part.of_known and part.count == 1:
             made.append(replace(part, of_known=False, plural=False))  # "At one of its long sides" is at one long side.
             at += 1
         elif parted and (there or told) and isinstance(whole, Noun) and whole.kind == "thing":

@@ -113,12 +113,13 @@ def _without_past(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - 3, 0, -1):
         that, was, told = made[at : at + 3]
+        if not isinstance(was, Connector) or was.text.lower() != "used to be":
+            continue
         before = made[at - 2] if at > 1 and is_link(made[at - 1], "mark", "comma") else made[at - 1]
         led = isinstance(that, (Noun, Connector)) and that.text.lower() in ("that", "which")
         led &= isinstance(before, Noun) and before.kind == "thing"
         here = isinstance(told, Noun) and told.kind == "place" and told.det != "a"
-        past = isinstance(was, Connector) and was.text.lower() == "used to be" and isinstance(told, (Noun, Adjective))
-        if led and past and not here:
+        if led and isinstance(told, (Noun, Adjective)) and not here:
             made[at : at + 3] = [Connector("fillers", "words", that.start, told.end, "that used to be so")]
     return made
 

@@ -54,13 +54,19 @@ _IN_WAY = re.compile(
     re.IGNORECASE,
 )
 """What a thing does to the way or the door, and no block."""
+_SETS = re.compile(r"\\.|\[(?:\\.|[^\]])*\]")
+_GROUPS = re.compile(r"\([^()]*\)")
+_OPTIONAL = re.compile(r".[?*{]", re.DOTALL)
+"""Parts of a pattern: sets of characters, groups that have none in them, and what may be left out."""
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
 def with_plain_turns(text: str) -> str:
     """The text with plainer words, each as long as what it stands for where that is not shorter."""
+    said = text.lower()
     for pattern, plainer in (*_TURNS, *_listed()):
-        text = pattern.sub(_padded(plainer), text)
+        if _word_of(pattern) in said and (turned := pattern.sub(_padded(plainer), text)) != text:
+            text, said = turned, turned.lower()
     return text
 
 
@@ -72,8 +78,10 @@ def without_not_followed(text: str) -> tuple[str, list[str]]:
         told.append(" ".join(said[0].split()).strip(" ,"))
         return " " * len(said[0])
 
+    said = text.lower()
     for pattern in _not_followed():
-        text = pattern.sub(left, text)
+        if _word_of(pattern) in said:
+            text = pattern.sub(left, text)
     return text, told
 
 
@@ -92,6 +100,16 @@ def _pattern(table: dict[str, Any], said: str) -> re.Pattern[str]:
     for name, part in table["parts"].items():
         said = said.replace(f"{{{name}}}", part)
     return re.compile(said, re.IGNORECASE)
+
+
+@cache
+def _word_of(pattern: re.Pattern[str]) -> str:
+    """What everything that a pattern finds has in it, to be looked for first; empty where that takes more to see."""
+    plain = _SETS.sub("\0", pattern.pattern)
+    while _GROUPS.search(plain):
+        plain = _GROUPS.sub("\0", plain)
+    runs = re.findall(r"[a-z' ]+", _OPTIONAL.sub("\0", plain).lower()) if "|" not in plain else []
+    return max(runs, key=len, default="")
 
 
 @cache

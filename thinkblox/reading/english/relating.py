@@ -122,7 +122,7 @@ class Relating(Naming):
         self.referents.parted = None
         self.referents.flanking |= {part, subject}
         for one, side in ((part, "left"), (subject, "right")):
-            self.draft.bonds = [b for b in self.draft.bonds if b.subject is not one or not b.implied]
+            self.draft.unsay([b for b in self.draft.bonds_of(one) if b.implied])
             if meaning.part:
                 bind(self.draft, Bond("on", one, (anchor,)))
             bind(self.draft, Bond(relation_kind(f"{side}_of"), one, (anchor,)))

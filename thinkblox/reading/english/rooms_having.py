@@ -34,10 +34,11 @@ def _without_in_it(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - 1, 0, -1):
         within, it = (*made[at : at + 2], None)[:2]
+        if not isinstance(it, Noun) or (it.kind, it.value) != ("pronoun", "it"):
+            continue
         end = chunk_at(made, at + 2)
-        ends = end is None or is_link(end, "mark", "stop", "semicolon") or is_link(end, "mark", "comma")
-        pointed = isinstance(it, Noun) and (it.kind, it.value) == ("pronoun", "it")
-        if not (pointed and ends and is_link(within, "prepositions", "in", "inside")):
+        ends = end is None or is_link(end, "mark", "stop", "semicolon", "comma")
+        if not (ends and is_link(within, "prepositions", "in", "inside")):
             continue
         start = next((n + 1 for n in range(at - 1, -1, -1) if is_link(made[n], "mark", "stop", "semicolon")), 0)
         named = [chunk.kind for chunk in made[start:at] if isinstance(chunk, Noun)]

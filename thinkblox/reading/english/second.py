@@ -161,6 +161,15 @@ class SecondOpinion:
         """Where each thing was first named."""
         return {thing: start for start, things in sorted(self._meant.items(), reverse=True) for thing in things}
 
+    @cached_property
+    def _turned(self) -> dict[Mention, list[Bond]]:
+        """The relations, by their anchors, that say of these where they are as much as of their subjects."""
+        turned: dict[Mention, list[Bond]] = {}
+        for bond in self._draft.bonds:
+            for anchor in parts_of(bond) if bond.kind in ("right_of", "under") else ():
+                turned.setdefault(anchor, []).append(bond)
+        return turned
+
     def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
         if place.to is not None and place.to.kind == "place" and place.whole is None and place.to.det != "my":
@@ -175,8 +184,8 @@ class SecondOpinion:
         if place.to is None and place.link.value not in _ELIDING:
             return True
         told = [bond for bond in self._bonds(subjects) if not bond.implied]
-        turned = ("right_of", "under") if place.link.value in ("on", "on_top") else ("right_of",)
-        told += [b for b in self._draft.bonds if b.kind in turned and set(b.anchors) & set(subjects)]
+        kinds = ("right_of", "under") if place.link.value in ("on", "on_top") else ("right_of",)
+        told += dict.fromkeys(b for thing in subjects for b in self._turned.get(thing, ()) if b.kind in kinds)
         part = place.to if place.to is not None and place.to.kind == "part" else None
         ends = _is_at_wall(told) or any(bond.kind == "at_short_side" for bond in told)
         tops = [bond.anchors for bond in told if bond.kind == "on"]

@@ -33,10 +33,10 @@ def with_stacked_pairs(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _pair(three: Sequence[Chunk]) -> tuple[Noun, Noun] | None:
     """The upper and the lower of two that can be stacked, where these are joined."""
-    if len(three) < _PAIR or not (is_link(three[1], "joins", "and") or is_link(three[1], "mark", "comma")):
-        return None
-    one, _, other = three
+    one, link, other = (*three, None, None, None)[:_PAIR]
     if not isinstance(one, Noun) or not isinstance(other, Noun) or one.many or other.many:
+        return None
+    if not (is_link(link, "joins", "and") or is_link(link, "mark", "comma")):
         return None
     below = load_stacks().on
     pairs = ((one, other), (other, one))

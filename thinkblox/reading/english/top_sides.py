@@ -46,14 +46,16 @@ def _at_own_corners(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(len(made) - _CORNERED, -1, -1):
         whole, having, small, link, corner = made[at : at + _CORNERED]
+        if not isinstance(corner, Noun) or corner.value != "corner":
+            continue
         of, room = (*made[at + _CORNERED : at + _CORNERED + 2], None, None)[:2]
         had = is_link(having, "prepositions", "with") or is_link(having, "verbs", "have")
         one = isinstance(whole, Noun) and whole.kind == "thing" and not (whole.many or whole.each)
-        each = isinstance(corner, Noun) and corner.kind == "place" and corner.value == "corner" and corner.each
+        each = corner.kind == "place" and corner.each
         if not (had and one and each) or not isinstance(small, Noun) or small.kind != "thing" or small.many:
             continue
         told = is_link(of, "prepositions", "of")
-        if isinstance(corner, Noun) and "room" in corner.text.lower().split():
+        if "room" in corner.text.lower().split():
             continue
         if not is_link(link, "prepositions", "in", "at", "on") or (told and not _is_same(room, whole)):
             continue
