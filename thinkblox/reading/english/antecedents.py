@@ -89,7 +89,7 @@ class Antecedents:
 
         That counts for it as well; where another comes near, that is noted in `unclear`. The rest as in `ranked`.
         """
-        if one and (usual := self._usual_carrier(found, kind, subjects, noun)) is not None:
+        if one and (usual := self._usual_carrier(where[0], found, kind, subjects, noun)) is not None:
             return usual
         if one and found.many and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
@@ -113,12 +113,16 @@ class Antecedents:
             self.pointed[where[0]] = best.thing
         return best.thing
 
-    def _usual_carrier(self, found: Mention, kind: str, subjects: Sequence[Mention], noun: str) -> Mention | None:
+    def _usual_carrier(
+        self, start: int, found: Mention, kind: str, subjects: Sequence[Mention], noun: str
+    ) -> Mention | None:
         """What such things lie on that stands beside what carries none: "a bed with a nightstand and a lamp on it"."""
         is_in = load_habits().is_in
         if kind not in ("on", "on_top") or not is_in(found.noun, *_SOFT) or load_habits().tie(noun, found.noun) == "on":
             return None
-        own = (t for t in reversed(self._draft.things[-_WINDOW:]) if t.owner is found and t not in subjects)
+        seen = self._survey(start)
+        now = [t for n in seen.named if n.sentence == seen.sentence for t in self._meant.get(n.noun.start, ())]
+        own = (t for t in reversed(now) if t.owner is found and t not in subjects)
         return next((t for t in own if is_in(t.noun, "surfaces", "tables")), None)
 
     def _carrier(self, best: Antecedent, others: Sequence[Antecedent]) -> Antecedent | None:
@@ -128,6 +132,11 @@ class Antecedents:
         if others and best.thing in laid.get(others[0].thing, ()):
             return best
         return next((c for c in others if c.thing in laid.get(best.thing, ())), None)
+
+    def is_named_alone(self, thing: Mention) -> bool:
+        """Whether it was named last without the others of its kind: "the left nightstand"."""
+        named = max((start for start, things in self._meant.items() if thing in things), default=None)
+        return named is not None and list(self._meant[named]) == [thing]
 
     def _is_owner(self, thing: Mention, start: int) -> bool:
         """Whether the words before `start` tell what a thing has: "a table with two books on it"."""

@@ -232,6 +232,7 @@ class Meanings:
         """What "it" means of which something is said of each: "a nightstand on each side, each with a lamp on it"."""
         two = self.referents.family(found) if found in self.referents.flanking else []
         shared = len(two) > 1 and all(thing in self.referents.shared for thing in two)
+        shared &= not self.antecedents.is_named_alone(found)
         return Meaning(kind, tuple(two) if shared else (found,), each=shared, told=True)
 
     def _them(
