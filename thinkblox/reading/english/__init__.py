@@ -56,6 +56,7 @@ from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.on_it_first import with_on_it_last
+from thinkblox.reading.english.one_each_side import with_one_each_side
 from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
 from thinkblox.reading.english.opening_places import with_opening_places
@@ -96,6 +97,7 @@ from thinkblox.reading.english.top_sides import with_top_sides
 from thinkblox.reading.english.totals import with_totals
 from thinkblox.reading.english.towns import with_towns
 from thinkblox.reading.english.two_colours import with_two_colours
+from thinkblox.reading.english.two_places import with_two_places
 from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -215,6 +217,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_one_each_side,
+        with_two_places,
         with_fronted,
         with_rooms_having,
         with_room_sides,

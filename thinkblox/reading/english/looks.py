@@ -117,7 +117,7 @@ class Descriptions(Rooms):
         things = node.things if node is not None else list(self.clause.members)
         if node is nodes[0] and node.frame is not None and kind in _OF_JOINED and not self.predicate:
             things = self._joined_several(node, node.frame)
-        if self.predicate and self.subject is not None:
+        if self.predicate and self.subject is not None and not self._is_of_held(nodes[0]):
             things = self.subject.things
         if self.negating:
             self._not_mutual(link, things)
@@ -133,6 +133,13 @@ class Descriptions(Rooms):
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
         self._faced_across(link, things[-2:] if len(things) > 1 else things)
+
+    def _is_of_held(self, last: Node) -> bool:
+        """Whether it is of what a thing has, right after which it comes: "a table has two chairs that face away"."""
+        before = self._before()
+        right_after = isinstance(before, Noun) or self._is_link(before, "joins", "which")
+        held = last.frame is not None and last.frame.head is not None
+        return right_after and held and any(thing.many for thing in last.things)
 
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""
