@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.antecedents import Antecedents
@@ -54,6 +55,10 @@ _APART = ("on", "inside")
 """Relations that one thing has to one other only, so that "a lamp on both tables" is one on each."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
+
+_FEW = 3
+"""More desks or seats than this have a front before them."""
+_LOOKING = ("desks", "seats", "worked_at")
 
 
 class Meanings:
@@ -651,11 +656,17 @@ class Meanings:
             return replace(self.place)
         self.room_side = said.value
         wall = ROOM_SIDES.get(said.value)
-        if wall is None or (said.value == "front" and not subjects):
+        if wall is None or (said.value == "front" and not subjects and not self._has_front()):
             return None
         self.referents.draft.speaks_of_front |= said.value == "front"
         hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
         return Meaning("on" if hangs and self._may_hang(subjects) else "against_wall", (wall,))
+
+    def _has_front(self) -> bool:
+        """Whether the room has a front by itself: many sit there, or there usually is a board."""
+        draft, is_in = self.referents.draft, load_habits().is_in
+        board = any(is_in(usual.category, "boards") for usual in room_type(draft.room).usual)
+        return board or any(t.count is not None and t.count > _FEW and is_in(t.noun, *_LOOKING) for t in draft.things)
 
     def _may_hang(self, subjects: list[Mention]) -> bool:
         """Whether things do not stand on the floor, or others of their kind were said to hang."""
@@ -674,6 +685,7 @@ class Meanings:
         if name == "centre":
             return self._centre(where, said, subjects, likely, noun)
         each = said.each
+        self.referents.draft.speaks_of_front |= name == "near_wall" and "front of" in said.text.lower()
         several = said.count if said.count and said.count > 1 else 0
         if name == "corner":
             return corner(word, said, walls, several)

@@ -128,7 +128,8 @@ class Several(Boundaries):
         those = self._told_before(noun, whole, besides) if noun.kind == "number" else None
         if those is not None:
             return those
-        if noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
+        sided = noun.side in ("left", "right") and not noun.ordinal and not noun.of_known
+        if sided and not (whole is not None and any(t in self.sides for t in self.referents.family(whole))):
             there = self._parted_by_side(noun, whole, besides) or self._told_at_side(noun, whole, besides)
             if there is not None:
                 return there
