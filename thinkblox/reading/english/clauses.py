@@ -11,7 +11,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Nou
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
-from thinkblox.reading.english.referents import FURNITURE
+from thinkblox.reading.english.referents import FURNITURE, is_small
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.stacks import STACKED
 
@@ -27,6 +27,8 @@ _END = Connector("mark", "stop", 0, 0)
 """What ends a text."""
 _ANGLED = "angled"
 """What is said of what is turned to something, unless it is so only slightly."""
+_LEANING = {"mirror": "standing_mirror", "studio_mirror": "standing_mirror"}
+"""What hangs, and what the same is that leans against a wall."""
 _LOOSE = ("scattered", "strewn", "dotted")
 """How things lie that are in no order, as all do of which nothing is said."""
 
@@ -140,10 +142,17 @@ class Clauses(Audit):
         self._lose(start, link.start + (len(words) if link.sort != "prepositions" else said + 1))
 
     def _stands_leaning(self, node: Node | None) -> bool:
-        """Whether what leans against a wall is what stands there: a ladder, but no clock and no picture."""
-        wall = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "against", "on") else None
-        at_wall = wall is not None and wall.kind == "place" and wall.value.split()[-1] == "wall"
-        return at_wall and node is not None and not any(self._belongs(t.noun, "wallpieces") for t in node.things)
+        """Whether what leans against something is what stands there: a ladder, but no clock and no picture.
+
+        A mirror that leans against a wall is one that stands.
+        """
+        by = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "against", "on") else None
+        at_wall = by is not None and by.kind == "place" and by.value.split()[-1] == "wall"
+        if node is None or by is None or not (at_wall or by.kind in ("thing", "number")):
+            return False
+        for thing in node.things if at_wall else ():
+            thing.noun = _LEANING.get(thing.noun, thing.noun)
+        return not any(self._belongs(t.noun, "wallpieces") or (not at_wall and is_small(t)) for t in node.things)
 
     def _say_of_all(self, link: Connector) -> None:
         """Read a correction, or how several stand to each other."""
