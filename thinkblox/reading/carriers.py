@@ -70,7 +70,8 @@ def share_carriers(draft: Draft) -> None:
             free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor)
             if free and isinstance(anchor, Mention) and lies is not None and lies.anchors[0] is not anchor:
                 draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
-    while found := [(bond, lies) for bond in beside if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
+    told = [*beside, *between]
+    while found := [(bond, lies) for bond in told if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
         for bond, carrier in found:
             if not _is_placed(draft, bond.subject):
                 at = draft.bonds.index(bond)
@@ -78,16 +79,25 @@ def share_carriers(draft: Draft) -> None:
 
 
 def _carrier_of_neighbour(draft: Draft, bond: Bond) -> Bond | None:
-    """What says on what the thing lies that this one is beside; None where this one need not be there too."""
-    beside = bond.anchors[0] if len(bond.anchors) == 1 else None
-    if not isinstance(beside, Mention) or beside is bond.subject or not _can_lie(bond.subject):
+    """What says on what the thing lies that this one is beside, or all it is between; None where it need not be there.
+
+    Between things that lie on different ones it is on neither.
+    """
+    one = len(bond.anchors) == 1 or bond.kind == "between"
+    neighbours = [a for a in bond.anchors if isinstance(a, Mention) and a is not bond.subject] if one else []
+    if not neighbours or _is_placed(draft, bond.subject) or not _can_lie(bond.subject):
         return None
-    if _is_placed(draft, bond.subject) or (beside.many and not bond.each):
+    if bond.kind != "between" and neighbours[0].many and not bond.each:
         return None
     small = _lies_only(bond.subject)
-    bonds = draft.bonds_of(beside)
-    lies = next((b for b in bonds if _lies(b, screens=small) and b.anchors[0] is not bond.subject), None)
-    return lies if lies is not None and _has_room_for_both(lies, bond.subject) else None
+    carriers = [
+        next((b for b in draft.bonds_of(beside) if _lies(b, screens=small) and b.anchors[0] is not bond.subject), None)
+        for beside in neighbours
+    ]
+    lies = carriers[0]
+    if lies is None or any(other is None or other.anchors != lies.anchors for other in carriers[1:]):
+        return None
+    return lies if _has_room_for_both(lies, bond.subject) else None
 
 
 def _lies_only(thing: Mention) -> bool:

@@ -90,13 +90,18 @@ def _excepts(chunk: Chunk) -> bool:
     return is_link(chunk, "joins", "but") or is_link(chunk, "prepositions", "except")
 
 
+def _tells(after: Sequence[Chunk]) -> bool:
+    """Whether it is told what they have: "all but one of them have a lamp"."""
+    return any(is_link(chunk, "verbs", "have", "hold", "carry") or is_link(chunk, "prepositions", "with") for chunk in after)
+
+
 def _is_number(noun: Noun) -> bool:
     return noun.kind in ("number", "pronoun") and noun.count is not None
 
 
 def _several(chunks: Sequence[Chunk], at: int) -> Noun | None:
-    """What "all of them" are after a preposition: what was named last of which there are several."""
-    if not at or not is_link(chunks[at - 1], "prepositions"):
+    """What "all of them" are, of which something is told: what was named last of which there are several."""
+    if not at or not (is_link(chunks[at - 1], "prepositions") or _tells(chunks[at + 3 : at + 4])):
         return None
     named = (c for c in chunks[max(at - 2, 0) :: -1][1:] if isinstance(c, Noun) and c.kind == "thing")
     return next((noun for noun in named if (noun.count or 0) > 1), None)

@@ -190,8 +190,9 @@ class Boundaries(State):
             return False
         if not noun.count or (thing.count or 0) <= noun.count:
             return False
+        led = self._is_link(self._before(2), "prepositions")
         self._go_past(noun)
-        before = self.draft.bonds[-1] if self.draft.bonds else None
+        before = self.draft.bonds[-1] if self.draft.bonds and led else None
         self.referents.leave_out(thing, noun.count)
         self._look_so(thing, noun)
         if before is not None and before.each and thing in before.anchors:

@@ -19,6 +19,10 @@ _ROW = re.compile(r"(?:in|of|from) the (?:first|second|third|fourth|fifth|last|f
 """What says in which row something is."""
 
 
+_THOSE = ("those", "the ones", "all those", "all of those")
+"""What stands for what was said to stand in rows."""
+
+
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
     chunks = _each_with(_on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks)))))))
@@ -63,15 +67,21 @@ def _of_one_row(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "every desk in the first row" is so many desks as a row has; which row is not understood."""
     made: list[Chunk] = []
     each: dict[str, int] = {}
+    lined: Noun | None = None
     at = 0
     while at < len(chunks):
         chunk = chunks[at]
-        if isinstance(chunk, Noun) and chunk.rows > 1 and chunk.count and not chunk.count % chunk.rows:
-            each[chunk.value] = chunk.count // chunk.rows
+        rows = _in_rows_of(chunks, at) if isinstance(chunk, Noun) else None
+        if rows is not None:
+            lined, number = rows
+            each[lined.value] = number
+        elif isinstance(chunk, Noun) and lined is not None and chunk.text.lower() in _THOSE:
+            chunk = replace(lined, start=chunk.start, end=chunk.end, det="the", text=f"the {lined.word}s", rows=0)
         after, row = (*chunks[at + 1 : at + 3], None, None)[:2]
         lost = isinstance(after, Stray) and _ROW.fullmatch(after.text.lower()) is not None
         of = isinstance(row, Noun) and row.rows == 1 and row.ordinal != 0 and is_link(after, "prepositions", *_OF)
         several = isinstance(chunk, Noun) and (chunk.det == "each" or (chunk.det == "the" and chunk.plural))
+        chunk = chunk if lost or of else chunks[at]
         if (lost or of) and several and isinstance(chunk, Noun) and chunk.value in each:
             count = each[chunk.value]
             text = f"{count} of the {chunk.word}s"
@@ -84,6 +94,18 @@ def _of_one_row(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunk)
             at += 1
     return made
+
+
+def _in_rows_of(chunks: Sequence[Chunk], at: int) -> tuple[Noun, int] | None:
+    """What stands in rows, and how many of it in each: "four rows of five desks", "twenty desks in four rows"."""
+    rows = chunks[at]
+    if not isinstance(rows, Noun) or rows.rows <= 1:
+        return None
+    before = chunks[at - 2] if at > 1 and is_link(chunks[at - 1], "prepositions", "in") else None
+    things = rows if rows.kind == "thing" else before
+    if not isinstance(things, Noun) or things.kind != "thing" or not things.count or things.count % rows.rows:
+        return None
+    return things, things.count // rows.rows
 
 
 def _told_rows(chunks: Sequence[Chunk]) -> list[Chunk]:

@@ -477,6 +477,7 @@ class Subjects(Having):
         hung = where.word == "on" and kind == "against_wall" and _hangs(thing.noun)
         any_kind = kind == "against_wall" and not hung and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
+        on_thing |= kind == "inside" and where.noun is None
         any_kind |= on_thing and not self._is_furniture(thing)
         any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
         corner = where.noun is not None and where.noun.value.startswith("corner")
@@ -624,6 +625,8 @@ class Subjects(Having):
         if alone and frame.head is None and where.word in _BESIDE_SMALL and self._is_small_list(frame):
             return Node(frame.members[frame.begun :], frame)
         if alone and self._is_pronominal(where) and is_small(other) and is_small(node.things[-1]):
+            if self._is_all_beside_head(frame, where):
+                return Node(frame.members[frame.begun :], frame)
             known = any(b for b in self.draft.bonds_of(other)) or any(other in b.anchors for b in self.draft.bonds)
             return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
         wall = where.word == "on" and where.noun is not None and where.noun.value.endswith("wall")
@@ -651,6 +654,13 @@ class Subjects(Having):
         listed = frame.members[frame.begun :]
         free = all(not is_small(m) and all(b.implied for b in self.draft.bonds_of(m)) for m in listed)
         return free and len(listed) > _PAIR and self._begins_with(listed[0])
+
+    def _is_all_beside_head(self, frame: Listed, where: Where) -> bool:
+        """Whether small things are told to be beside each small head: "each bowl with a fork and a spoon next to it"."""
+        head = frame.head.thing if frame.head is not None else None
+        free = all(b.implied for member in frame.members for b in self.draft.bonds_of(member))
+        it = where.noun is not None and where.noun.value == "it" and where.word in _BESIDE_SMALL
+        return it and frame.each and free and head is not None and is_small(head)
 
     def _is_small_list(self, frame: Listed) -> bool:
         """The same of small things: "a clock, a cup and a phone next to the lamp"."""

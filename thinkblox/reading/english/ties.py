@@ -83,6 +83,8 @@ class Ties(Relating):
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         if self.separator == "comma_and" and self._is_as_many(frame, thing):
             return False
+        if self._is_told_of_one(frame, noun):
+            return True
         told = self._told_of(frame, thing)
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
@@ -106,6 +108,15 @@ class Ties(Relating):
             return False
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_told_of_one(self, frame: Listed, noun: Noun) -> bool:
+        """Whether a verb comes that can be told of the one head only: "a shelf with a box and two mats runs along it"."""
+        head = frame.head.thing if frame.head is not None else None
+        verb = self.peek()
+        if head is None or head.many or not noun.many or self.separator != "and" or not isinstance(verb, Connector):
+            return False
+        said = verb.text.lower().split()[:1]
+        return verb.sort == "verbs" and bool(said) and said[0].endswith("s") and not said[0].endswith("ss")
 
     def _is_of_its_own(self, frame: Listed, thing: Mention) -> bool:
         """Whether it is a piece of furniture unlike what surrounds or parts something: "by six chairs, a cabinet"."""
@@ -414,7 +425,8 @@ class Ties(Relating):
 
     def _ends_held_list(self, thing: Mention, frame: Listed) -> bool:
         """Whether it ends a list of what something holds, and nothing else is said of it: "a dish and a sabre"."""
-        last = self.separator == "and" and len(frame.members) > 0 and self._is_end(self.peek())
+        ends = self._is_end(self.peek()) or self._is_link(self.peek(), "verbs")
+        last = self.separator == "and" and len(frame.members) > 0 and ends
         return last and not self.habits.is_in(thing.noun, *FURNITURE)
 
     def _tie_with(
