@@ -9,6 +9,7 @@ from thinkblox.reading.english.abilities import with_abilities
 from thinkblox.reading.english.all_alike import with_all_alike
 from thinkblox.reading.english.all_but import with_all_but
 from thinkblox.reading.english.all_there_is import with_all_there_is
+from thinkblox.reading.english.also_there import with_also_there
 from thinkblox.reading.english.answers import with_answers
 from thinkblox.reading.english.apposed import with_apposed
 from thinkblox.reading.english.as_many import with_as_many
@@ -87,6 +88,7 @@ from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.short_names import with_short_names
 from thinkblox.reading.english.slips import meant_by
+from thinkblox.reading.english.some_carriers import with_some_carriers
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
@@ -217,6 +219,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_also_there,
+        with_some_carriers,
         with_one_each_side,
         with_two_places,
         with_fronted,
