@@ -244,7 +244,8 @@ class Subjects(Having):
         if where.noun.value == "middle" and not is_small(head.things[-1]):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
-        return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+        within = is_small(head.things[-1]) and any(b.kind == "inside" for b in self.draft.bonds_of(thing))
+        return held and not self._is_head(whole, head) and (within or not self.habits.is_in(whole.value, "small"))
 
     def _is_end_of_top(self, where: Where, thing: Mention, head: Node) -> bool:
         """Whether "at one end" is of what something lies on: "a sideboard with a lamp at one end"."""
