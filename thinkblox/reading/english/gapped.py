@@ -11,7 +11,12 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the other has what was said of the first, and where, with a look of its own."""
     made: list[Chunk] = []
     for chunk in chunks:
-        before = made[-1] if made else None
+        also = bool(made) and isinstance(made[-1], Connector) and made[-1].text.lower() == "also"
+        before = made[-1 - also] if len(made) > also else None
+        if (verb := _left_out(made[: len(made) - also], before, chunk)) is not None:
+            made[len(made) - also :] = [replace(verb, start=chunk.start, end=chunk.start)]
+            made.append(chunk)
+            continue
         said = _said(made) if isinstance(before, Noun) and _is_other(before) else None
         if said is not None and isinstance(chunk, Noun) and _is_one(chunk):
             verb, thing, link = said
@@ -25,6 +30,17 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
     return made
+
+
+def _left_out(made: Sequence[Chunk], before: Chunk | None, chunk: Chunk) -> Connector | None:
+    """The verb that is left out between "the third", "each of the other two" and the new thing that it has."""
+    if not isinstance(before, Noun) or not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.definite:
+        return None
+    some = before.kind == "number" and (before.det in ("the", "other") or before.of_known)
+    if not (some or _is_other(before)) or not (chunk.det == "a" or chunk.count):
+        return None
+    said = _said(made)
+    return said[0] if said is not None else None
 
 
 def _is_other(noun: Noun) -> bool:

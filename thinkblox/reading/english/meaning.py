@@ -373,7 +373,9 @@ class Meanings:
         self.anchor, self.place = (kind, found), None
         meaning = self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
         single = bool(subjects) and subjects[-1].count == 1
-        meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")
+        carried = single and meaning.kind in ("on", "inside", "at")
+        fronted = not subjects and said.det == "other" and said.shared
+        meaning.each = (carried or fronted) and found.many and found.count is not None
         return meaning
 
     def _lies_on_one_of(self, where: Where, subjects: list[Mention]) -> bool:
