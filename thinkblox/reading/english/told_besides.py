@@ -1,0 +1,102 @@
+"""What is told of a thing right after its name: "my desk, the white one", "books, six of them", "the stove itself"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at, filler
+from thinkblox.reading.english.said import is_holding, is_link
+
+_ITSELF = ("itself", "themselves")
+_ONES = (" one", " ones")
+_OF_THEM = (" of them", " of those", " of these")
+
+
+def with_told_besides(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Chunks in which a thing looks, and is as many, as is told after its name; "a cushion each" is one for each."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        thing = made[-1] if made else None
+        chunk = chunks[at]
+        if not isinstance(thing, Noun) or thing.kind != "thing":
+            made.append(chunk)
+            at += 1
+        elif isinstance(chunk, Noun) and chunk.text.lower() in _ITSELF:
+            made.append(filler(chunk))
+            at += 1
+        elif (told := _told(chunks, at, thing)) is not None:
+            made[-1] = told
+            at += 2
+        elif (upright := _called_so(chunks, at)) is not None:
+            made += [chunk, upright]
+            at += 2
+        else:
+            made.append(chunk)
+            at += 1
+    return _with_each_before(_with_new_things(made))
+
+
+def _told(chunks: Sequence[Chunk], at: int, thing: Noun) -> Noun | None:
+    """The thing with the look of ", the white one" or the number of ", six of them"; None for anything else."""
+    comma, one, after = (*chunks[at : at + 3], None, None, None)[:3]
+    if not is_link(comma, "mark", "comma", "dash") or not isinstance(one, Noun) or one.kind != "number":
+        return None
+    if not (after is None or is_link(after, "mark") or is_link(after, "joins")):
+        return None
+    text = one.text.lower()
+    if text.endswith(_OF_THEM) and one.count and thing.plural and thing.count is None and not thing.definite:
+        return replace(thing, count=one.count)
+    plain = one.det == "the" and text.endswith(_ONES) and not (one.ordinal or one.side or one.degree or one.of_known)
+    if plain and (one.attributes or one.unshown) and thing.definite and not thing.attributes and not thing.many:
+        return replace(
+            thing, attributes=[*one.attributes], unshown=[*thing.unshown, *one.unshown], states=[*thing.states, *one.states]
+        )
+    return None
+
+
+def _called_so(chunks: Sequence[Chunk], at: int) -> Adjective | None:
+    """What ", a black upright," says of the thing before, where nothing is known by that name."""
+    comma, other, end = (*chunks[at : at + 3], None, None, None)[:3]
+    if not is_link(comma, "mark", "comma") or not is_link(end, "mark", "comma") or not isinstance(other, Noun):
+        return None
+    strange = other.det == "a" and not other.named and not other.many and other.kind == "thing"
+    if not strange or not is_link(chunk_at(chunks, at + 3), "verbs"):
+        return None
+    return Adjective(
+        other.start, other.end, other.text, [*other.attributes], [*other.styles], [*other.unshown, other.word], [*other.states]
+    )
+
+
+def _with_new_things(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "a" for the "the" of what is new where a place is told first: "and in front of it the table"."""
+    made = list(chunks)
+    named: set[str] = set()
+    for at, chunk in enumerate(made):
+        if not isinstance(chunk, Noun) or chunk.kind != "thing":
+            continue
+        after = chunk_at(made, at + 1)
+        ends = after is None or is_link(after, "mark")
+        if chunk.det == "the" and ends and at > 2 and chunk.value not in named and not chunk.many and _is_fronted(made, at):
+            made[at] = replace(chunk, det="a")
+        named.add(chunk.value)
+    return made
+
+
+def _is_fronted(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a joint, a preposition and what that is to come right before."""
+    joint, link, anchor = chunks[at - 3 : at]
+    begins = is_link(joint, "joins", "and") or is_link(joint, "mark")
+    return begins and is_link(link, "prepositions") and isinstance(anchor, Noun) and anchor.kind in ("pronoun", "thing")
+
+
+def _with_each_before(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "each have a cushion" for "the sofa and the armchair have a cushion each"."""
+    made = list(chunks)
+    for at in range(len(made) - 6, -1, -1):
+        one, joint, other, verb, thing, each = made[at : at + 6]
+        two = all(isinstance(noun, Noun) and noun.kind == "thing" for noun in (one, other, thing))
+        held = isinstance(verb, Connector) and verb.sort == "verbs" and is_holding(verb)
+        after = isinstance(each, Noun) and each.text.lower() in ("each", "apiece")
+        if two and held and after and is_link(joint, "joins", "and"):
+            made[at + 3 : at + 6] = [replace(each, start=verb.start, end=verb.start), verb, thing]
+    return made
