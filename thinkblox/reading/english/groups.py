@@ -179,13 +179,21 @@ class Groups(Descriptions):
         if nodes:
             del self.frontier[self.frontier.index(nodes[0]) + 1 :]
             self.each = True
-        elif parts := self._all_parts() or self.clause.last_joined():
+        elif parts := self._all_parts() or self.clause.last_joined() or self._known_joined():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.clause.members += [part for part in parts if part not in self.clause.members]
             self.each, self.separator = True, ""
         elif alike := self._alike_of_list():
             self.frontier[-1] = Node(alike, self.frontier[-1].frame, each=True)
             self.each, self.separator = True, ""
+
+    def _known_joined(self) -> list[Mention]:
+        """Things named before that the clause begins with: "the table and the desk each have a lamp"."""
+        known = bool(self.frontier) and self.frontier[-1].known and not self.predicate
+        start = self._clause_start()
+        listed = [c for c in self.chunks[start : self.at - 1] if not self._is_link(c, "joins", "and")]
+        plain = all(isinstance(c, Noun) or self._is_link(c, "mark", "comma") for c in listed)
+        return list(self.clause.members) if known and plain and len(self.clause.members) > 1 else []
 
     def _alike_of_list(self) -> list[Mention]:
         """Two of a kind by one thing: "a bed with a lamp on the left and a lamp on the right, each with a shade"."""
