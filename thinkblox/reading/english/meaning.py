@@ -811,7 +811,9 @@ class Meanings:
             meaning.kind = usual if usual and (usual in ("at", "around") or lies) else seated if name else "at"
         elif meaning.kind in ("per", "for") and name:
             lying = "at" if habits.is_in(anchor.noun, "seats", "chairs") else "on"
-            meaning.kind = usual or (lying if subjects and is_small(subjects[-1]) else "next_to")
+            small = bool(subjects) and is_small(subjects[-1])
+            meaning.assumed = not usual and not small and meaning.kind == "per"
+            meaning.kind = usual or (lying if small else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"

@@ -107,6 +107,7 @@ class Meaning:
         pointed: the anchor was not named: "on it", "beside".
         loose: it was said more closely where, and that is not kept: "in the last third of the desk".
         part: at which side of a top: "left", "right", "front", "back", or "both" for one at each end.
+        assumed: only a number was said: "a locker for every desk" is one for each, wherever that is.
     """
 
     kind: str
@@ -119,6 +120,7 @@ class Meaning:
     pointed: bool = False
     loose: bool = False
     part: str = ""
+    assumed: bool = False
 
 
 @dataclass(eq=False)

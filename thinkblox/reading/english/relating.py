@@ -57,7 +57,8 @@ class Relating(Naming):
             return
         if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
             kind = "next_to"
-        bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+        asked = not meaning.assumed
+        bond = Bond(kind, subject, anchors, each=meaning.each, asked=asked, negated=negated, spread=meaning.spread)
         if kind == "on" and not negated and not meaning.told:
             bond.each |= self._lay_under(subject, anchors)
         bond.told = meaning.pointed

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _MOST = 7
@@ -14,6 +14,7 @@ _UPON = ("on", "on_top", "in", "inside")
 
 def with_two_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks with commas around the second place, where that is to something small, as the first is not."""
+    chunks = _listed_beside(chunks)
     made: list[Chunk] = []
     last: Noun | None = None
     at = 0
@@ -32,6 +33,23 @@ def with_two_places(chunks: Sequence[Chunk]) -> list[Chunk]:
         last = chunk if isinstance(chunk, Noun) and chunk.kind == "thing" else last
         made.append(chunk)
         at += 1
+    return made
+
+
+def _listed_beside(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the lamp for the "it" of "a lamp and, to the right of it, three trays"."""
+    made = list(chunks)
+    for at in range(len(made) - 3, 2, -1):
+        it = made[at]
+        if not isinstance(it, Noun) or not _is_pointed(it):
+            continue
+        begin = next((n for n in range(at - 1, max(at - _MOST, 1), -1) if is_link(made[n], "mark")), 0)
+        thing = made[begin - 2] if begin > 1 and is_link(made[begin - 1], "joins", "and") else None
+        after = made[at + 1 : at + 3]
+        listed = len(after) > 1 and is_link(after[0], "mark", "comma") and isinstance(after[1], Noun)
+        placed = is_link(made[begin], "mark", "comma") and is_link(chunk_at(made, begin + 1), *_PLACES)
+        if listed and placed and isinstance(thing, Noun) and thing.kind == "thing" and not thing.many:
+            made[at : at + 1] = _named(it, thing)
     return made
 
 
