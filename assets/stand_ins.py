@@ -25,6 +25,13 @@ _CLOSE = 0.85
 """Share of its letters in order that a name has in common with another, to be taken for another spelling of it."""
 _SHORTEST, _MORE = 5, 2
 """Letters that such a name has at least, and how many more or fewer the other may have."""
+_LASTS = (
+    "book", "box", "table", "chair", "lamp", "bag", "bench", "shelf", "tray", "desk", "pot", "bottle", "basket", "bowl",
+    "clock", "card", "brush", "cabinet", "stool", "sofa", "bucket", "case", "glass", "knife",
+)  # fmt: skip
+"""Second words of names that are written as one word and in no list."""
+_FIRST = 3
+"""Fewest letters of the word before."""
 _SURE, _UNSURE = 0.9, 0.5
 """How sure an unknown modifier leaves us of a head that is a thing by itself, and of one that is none."""
 _FINISHES = "oak grey white navy beige brown walnut steel red green".split()
@@ -98,10 +105,16 @@ def _nearest(noun: str) -> tuple[Finding, str, float]:
     if found is not None and (category := _thing(found)):
         whole = found.length == len(words)
         return _entry(category) if whole else "head", category, 1.0 if whole else _SURE
-    if head := thing_called(_heads().get(body[-1], "")):
+    if head := thing_called(_heads().get(body[-1], "")) or _joined(body[-1]):
         return "head", _thing(head), _UNSURE
     close, similarity = _spelled_like(noun)
     return ("spelling", close, similarity) if close else ("plain", "", 0.0)
+
+
+def _joined(word: str) -> ThingName | None:
+    """What the last of two words that are written as one names: a "rulebook" is a book."""
+    last = next((last for last in _LASTS if word.endswith(last) and len(word) >= len(last) + _FIRST), "")
+    return thing_called(last) if last else None
 
 
 def _spelled_like(noun: str) -> tuple[str, float]:
