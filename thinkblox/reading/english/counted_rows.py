@@ -84,6 +84,8 @@ def _of_one_row(chunks: Sequence[Chunk]) -> list[Chunk]:
         chunk = chunk if lost or of else chunks[at]
         if (lost or of) and several and isinstance(chunk, Noun) and chunk.value in each:
             count = each[chunk.value]
+            if made and is_link(made[-1], "joins", "and"):
+                made[-1] = Connector("mark", "semicolon", made[-1].start, made[-1].end, ";")
             text = f"{count} of the {chunk.word}s"
             made.append(replace(chunk, det="the", count=count, text=text, of_known=True, plural=count > 1, every=0))
             at += 1

@@ -2,16 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_holding, is_link
+
+_ALSO = ("also", "just", "only")
+"""What may stand where the verb is left out."""
 
 
 def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the other has what was said of the first, and where, with a look of its own."""
     made: list[Chunk] = []
     for chunk in chunks:
-        also = bool(made) and isinstance(made[-1], Connector) and made[-1].text.lower() == "also"
+        also = bool(made) and isinstance(made[-1], Connector) and made[-1].text.lower() in _ALSO
         before = made[-1 - also] if len(made) > also else None
         if (verb := _left_out(made[: len(made) - also], before, chunk)) is not None:
             made[len(made) - also :] = [replace(verb, start=chunk.start, end=chunk.start)]
@@ -37,10 +41,14 @@ def _left_out(made: Sequence[Chunk], before: Chunk | None, chunk: Chunk) -> Conn
     if not isinstance(before, Noun) or not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.definite:
         return None
     some = before.kind == "number" and (before.det in ("the", "other") or before.of_known)
-    if not (some or _is_other(before)) or not (chunk.det == "a" or chunk.count):
+    if not (some or _is_other(before)) or not (chunk.det == "a" or chunk.count or chunk.plural):
         return None
-    said = _said(made)
-    return said[0] if said is not None else None
+    joint = made[-2] if len(made) > 1 else None
+    if not (is_link(joint, "mark", "comma") or is_link(joint, "joins", "and")):
+        return None
+    begin = next((n + 1 for n in range(len(made) - 1, -1, -1) if is_link(made[n], "mark", "stop", "semicolon")), 0)
+    told = (c for c, had in pairwise(made[begin:-2]) if is_holding(c) and isinstance(had, Noun) and had.kind == "thing")
+    return next((verb for verb in told if isinstance(verb, Connector)), None)
 
 
 def _is_other(noun: Noun) -> bool:
