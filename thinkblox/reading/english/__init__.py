@@ -51,6 +51,7 @@ from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
 from thinkblox.reading.english.likings import with_likings
 from thinkblox.reading.english.lists_for_each import with_lists_for_each
+from thinkblox.reading.english.moods_told import with_moods_told
 from thinkblox.reading.english.moved_parts import with_moved_parts
 from thinkblox.reading.english.next_things import with_next_things
 from thinkblox.reading.english.none_of import with_none_of
@@ -220,6 +221,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_moods_told,
         with_told_besides,
         with_also_there,
         with_some_carriers,
