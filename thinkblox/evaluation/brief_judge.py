@@ -27,6 +27,8 @@ _PLACES: dict[Element, tuple[str, ...]] = {
     "corner": ("corner",),
     "room": ("centre", "middle", "corner", "room", "wall"),
 }
+_OPENINGS: tuple[Element, ...] = ("door", "window")
+"""What a relation to a wall says nothing of."""
 _ROOM_TOLERANCE = 0.06
 """By how much a side of a room may differ, for feet that were rounded [m]."""
 
@@ -187,7 +189,7 @@ def _relation_row(kind: Any, row: Row, about: str, met: bool | None, says: str) 
 def _names_place(relation: Relation, kinds: Sequence[str], part: Element) -> bool:
     if relation.kind not in kinds:
         return False
-    if relation.kind.endswith(("_wall", "_corner", "_centre", "_room", "_ceiling")):
+    if part not in _OPENINGS and relation.kind.endswith(("_wall", "_corner", "_centre", "_room", "_ceiling")):
         return True
     return any(place in anchor for anchor in relation.anchors for place in _PLACES[part])
 

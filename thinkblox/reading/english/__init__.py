@@ -84,6 +84,7 @@ from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.seats_joined import with_seats_joined
+from thinkblox.reading.english.several_anchors import with_several_anchors
 from thinkblox.reading.english.shared_out import with_shared_out
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -221,6 +222,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_collectives,
         with_told_apart,
         with_carrying,
+        with_several_anchors,
         with_moods_told,
         with_told_besides,
         with_also_there,

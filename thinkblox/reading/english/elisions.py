@@ -4,8 +4,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 
+_ORDINALS = {"second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "last": -1}
 _DETERMINED = ("a", "the", "another")
 _CORNERS = 4
 _PAST = 2
@@ -14,7 +16,7 @@ _PAST = 2
 
 def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks, where what has only a number or an article and an adjective borrows the noun that comes."""
-    whole = list(chunks)
+    whole = _with_ordinals(chunks)
     for at in range(len(whole) - _PAST - 1, -1, -1):
         said, link, other = whole[at : at + _PAST + 1]
         if not (isinstance(said, Noun) and _lacks_noun(said) and isinstance(other, Noun) and _lends(other)):
@@ -23,6 +25,28 @@ def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
         if joined and not _is_told_apart(whole[:at], other):
             whole[at] = _borrowed(said, other)
     return _with_sides([part for at, chunk in enumerate(whole) for part in _parted(whole, at) or [chunk]])
+
+
+def _with_ordinals(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "the first bench and the second bench" for "the first and second bench"."""
+    whole = list(chunks)
+    for at in range(len(whole) - _PAST - 1, -1, -1):
+        said, link, other = whole[at : at + _PAST + 1]
+        first = isinstance(said, Noun) and said.kind == "number" and said.ordinal > 0 and said.det == "the"
+        joined = isinstance(link, Connector) and (link.sort, link.value) == ("joins", "and")
+        if not (first and joined and isinstance(said, Noun) and isinstance(other, Noun)) or other.kind != "thing":
+            continue
+        word, _, rest = other.text.lower().partition(" ")
+        name = name_of(rest.split()) if word in _ORDINALS and not other.det else None
+        if name is None:
+            continue
+        second = replace(
+            other, value=name.category, called="", det="the", count=1, ordinal=_ORDINALS[word], plural=False, named=True
+        )
+        singled = singular(rest)
+        whole[at] = replace(second, start=said.start, end=said.end, ordinal=said.ordinal, text=f"{said.text} {singled}")
+        whole[at + _PAST] = replace(second, text=f"the {word} {singled}")
+    return whole
 
 
 def _with_sides(chunks: Sequence[Chunk]) -> list[Chunk]:

@@ -40,16 +40,16 @@ def _listed_beside(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks with the lamp for the "it" of "a lamp and, to the right of it, three trays"."""
     made = list(chunks)
     for at in range(len(made) - 3, 2, -1):
-        it = made[at]
-        if not isinstance(it, Noun) or not _is_pointed(it):
+        it, comma, other = made[at : at + 3]
+        if not isinstance(it, Noun) or not _is_pointed(it) or not is_link(comma, "mark", "comma"):
             continue
-        begin = next((n for n in range(at - 1, max(at - _MOST, 1), -1) if is_link(made[n], "mark")), 0)
-        thing = made[begin - 2] if begin > 1 and is_link(made[begin - 1], "joins", "and") else None
-        after = made[at + 1 : at + 3]
-        listed = len(after) > 1 and is_link(after[0], "mark", "comma") and isinstance(after[1], Noun)
-        placed = is_link(made[begin], "mark", "comma") and is_link(chunk_at(made, begin + 1), *_PLACES)
-        if listed and placed and isinstance(thing, Noun) and thing.kind == "thing" and not thing.many:
-            made[at : at + 1] = _named(it, thing)
+        begin = next((n for n in range(at - 1, max(at - _MOST, 0), -1) if is_link(made[n], "joins", "and")), 0)
+        place = begin + 1 + is_link(chunk_at(made, begin + 1), "mark", "comma")
+        thing = made[begin - 1]
+        placed = bool(begin) and place < at and is_link(made[place], *_PLACES)
+        listed = isinstance(other, Noun) and other.kind == "thing" and not other.definite
+        if placed and listed and isinstance(thing, Noun) and thing.kind == "thing" and not thing.many:
+            made[begin + 1 : at + 1] = [_comma(made[place]), *made[place:at], *_named(it, thing)]
     return made
 
 
