@@ -25,8 +25,10 @@ class Several(Boundaries):
         parted = self.referents.parted
         if parted is not None and (last := self._named_just_before()) is not None:
             parted = parted if last in self.referents.family(parted) else last
-        if parted is not None and parted not in besides and not self._is_at_others_of(parted):
-            return parted
+        if parted is not None and parted not in besides:
+            if not self._is_at_others_of(parted):
+                return parted
+            besides = [*besides, *self.referents.family(parted)]
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
@@ -54,7 +56,7 @@ class Several(Boundaries):
     def _is_at_others_of(self, thing: Mention) -> bool:
         """Whether a number is told to be at others of these: "six on the left bench, two on the right bench"."""
         noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
-        named = noun is not None and noun.kind == "thing" and noun.word == last_word(thing)
+        named = noun is not None and noun.kind == "thing" and last_word(thing).endswith(noun.word)
         named |= noun is not None and noun.kind == "number" and noun.side != "" and not noun.of_known
         return named and any(thing in self.referents.family(a) for t in self.clause.members for a in self._anchors(t))
 

@@ -71,13 +71,11 @@ def _of_subject(made: Sequence[Chunk], link: Connector, anchors: Sequence[Noun])
     """What was said so far, with what is told of the noun before the preposition, with or without a verb between."""
     back = 1 + is_link(made[-1], "verbs", *_PLACED)
     subject = made[-back] if len(made) >= back else None
-    if not isinstance(subject, Noun) or subject.kind != "thing":
-        return []
-    if link.value in _BESIDE and not subject.many and not subject.each:
-        return [*made, *_beside(link, anchors)]
-    told = _told(subject, link, anchors, made[: len(made) - back])
-    if told:
-        return [*made[: len(made) - back], *told]
+    if isinstance(subject, Noun) and subject.kind in ("thing", "number"):
+        if link.value in _BESIDE and not subject.many and not subject.each:
+            return [*made, *_beside(link, anchors)]
+        if told := _told(subject, link, anchors, made[: len(made) - back]):
+            return [*made[: len(made) - back], *told]
     lost = anchors[1:]
     stray = Stray(lost[0].start, lost[-1].end, f"and {text_of(lost)}")
     return [*made, link, anchors[0], stray]
@@ -99,7 +97,8 @@ def _told(subject: Noun, link: Connector, anchors: Sequence[Noun], before: Seque
     number = len(anchors) if single or count is None else count
     if link.value not in _AT_ONE or number % len(anchors) or subject.each or (subject.definite and count is None):
         return []
-    whole = replace(subject, count=None if subject.definite else number, plural=True)
+    counted = None if subject.definite and subject.kind == "thing" else number
+    whole = replace(subject, count=counted, plural=True)
     found: list[Chunk] = [whole, Connector("mark", "comma", link.start, link.start, ",")]
     each, start = number // len(anchors), link.start
     for at, anchor in enumerate(anchors):

@@ -85,6 +85,8 @@ class Ties(Relating):
             return False
         if self._is_told_of_one(frame, noun):
             return True
+        if self._is_of_all_together(frame, thing):
+            return False
         told = self._told_of(frame, thing)
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
@@ -108,6 +110,13 @@ class Ties(Relating):
             return False
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_of_all_together(self, frame: Listed, thing: Mention) -> bool:
+        """Whether it is one for all of several: "two bunks, each with a pillow on it, a ladder next to them"."""
+        place = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        them = place is not None and place.kind == "pronoun" and place.text.lower() == "them"
+        several = thing.many or any(member.many for member in frame.members if member is not thing)
+        return frame.each and self.separator in ("comma", "comma_and") and them and not several
 
     def _is_told_of_one(self, frame: Listed, noun: Noun) -> bool:
         """Whether a verb comes that can be told of the one head only: "a shelf with a box and two mats runs along it"."""
