@@ -91,7 +91,8 @@ class Antecedents:
         """
         if one and (usual := self._usual_carrier(where[0], found, kind, subjects, noun)) is not None:
             return usual
-        if one and found.many and subjects and all(s.owner is found for s in subjects):
+        several = found.many or self._referents.total(found) > 1
+        if one and several and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
         by = weights()
         ranked = [
@@ -242,10 +243,16 @@ class Antecedents:
                 ends = kind != "between" and any(run[-1] is named and run[0] is not other for run in runs)
                 apart = ends or (tied == "beside" and (kind != "between" or {named.role, other.role} != {"head"}))
                 apart |= tied != "joined" and any(t.many for t in pair)
+                apart |= kind == "between" and any(self._lies_on(one, pair) for one in pair)
                 if len(pair) == 2 and other.sentence == named.sentence and not apart:
                     score = (self._place(kind, named, own, seen) + self._place(kind, other, own, seen)) / 2
                     weigh(score + by[f"pair_{tied}"], pair)
         return scores
+
+    def _lies_on(self, thing: Mention, others: Sequence[Mention]) -> bool:
+        """Whether it lies on any of others, so that nothing can be between these."""
+        lying = (b for b in self._draft.bonds_of(thing) if b.kind in ("on", "inside") and not b.negated)
+        return any(other in bond.anchors for bond in lying for other in others)
 
     def _are_told_apart(self, things: Sequence[Mention], seen: Survey) -> bool:
         """Whether the last sentence told of each of two: "one is by the window, the other by the door"."""

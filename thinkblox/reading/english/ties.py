@@ -453,6 +453,8 @@ class Ties(Relating):
         if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
         contains = self._contains(head) or _goes_into_cup(thing, head)
+        if contains and self.habits.is_in(thing.noun, "built_in", "basins"):
+            return "next_to" if frame.each else None
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
         flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
