@@ -148,7 +148,7 @@ class Clauses(Audit):
         """
         by = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "against", "on") else None
         at_wall = by is not None and by.kind == "place" and by.value.split()[-1] == "wall"
-        if node is None or by is None or not (at_wall or by.kind in ("thing", "number")):
+        if node is None or by is None or not (at_wall or by.kind in ("thing", "number", "pronoun")):
             return False
         for thing in node.things if at_wall else ():
             thing.noun = _LEANING.get(thing.noun, thing.noun)

@@ -370,6 +370,8 @@ class Meanings:
         found = self.name.some_of(said, besides=[*subjects, *others]) or self.name.some_of(said, besides=subjects)
         if found is None:
             return None
+        if said.det == "a" and not found.many:
+            found.attributes += [look for look in said.attributes if look not in found.attributes]
         self.anchor, self.place = (kind, found), None
         meaning = self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
         single = bool(subjects) and subjects[-1].count == 1

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 
@@ -13,7 +13,37 @@ def with_things_between(chunks: Sequence[Chunk]) -> list[Chunk]:
     for at, link in enumerate(chunks):
         if is_link(link, "prepositions", "with") and isinstance(link, Connector) and _is_of_none(chunks, at):
             made[at] = replace(link, sort="joins", value="and")
+    return _between_both(made)
+
+
+def _between_both(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the two that are meant: "a lamp on the left, a vase on the right and a clock in between"."""
+    made: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        chunk, after = chunks[at], chunk_at(chunks, at + 1)
+        them = isinstance(after, Noun) and (after.kind, after.value) == ("pronoun", "them")
+        elided = them or after is None or is_link(after, "mark")
+        two = _at_both_sides(made[:-1]) if elided and is_link(chunk, "prepositions", "between") else []
+        made.append(chunk)
+        at += 1
+        if two:
+            one, other = (replace(n, start=chunk.end, end=chunk.end, det="the", text=f"the {n.word}") for n in two)
+            made += [one, Connector("joins", "and", chunk.end, chunk.end, "and"), other]
+            at += them
     return made
+
+
+def _at_both_sides(before: Sequence[Chunk]) -> list[Noun]:
+    """The single things that were just listed at the left and at the right."""
+    said = [c for c in before[-10:] if not (is_link(c, "mark", "comma") or is_link(c, "joins", "and"))][-6:]
+    if len(said) < 6:
+        return []
+    one, at, left, other, by, right = said
+    sides = isinstance(left, Noun) and isinstance(right, Noun) and {left.value, right.value} == {"left", "right"}
+    placed = is_link(at, "prepositions", "on", "to", "at") and is_link(by, "prepositions", "on", "to", "at")
+    two = [n for n in (one, other) if isinstance(n, Noun) and n.kind == "thing" and not n.many]
+    return two if sides and placed and len(two) == 2 else []
 
 
 def _is_of_none(chunks: Sequence[Chunk], at: int) -> bool:

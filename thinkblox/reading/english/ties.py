@@ -85,7 +85,7 @@ class Ties(Relating):
             return False
         if self._is_told_of_one(frame, noun):
             return True
-        if self._is_of_all_together(frame, thing):
+        if self._is_of_all_together(frame, thing) or self._is_one_more_there(frame, noun):
             return False
         told = self._told_of(frame, thing)
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
@@ -110,6 +110,14 @@ class Ties(Relating):
             return False
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._is_one_more_of_list(frame, head, thing)
+
+    def _is_one_more_there(self, frame: Listed, noun: Noun) -> bool:
+        """Whether it lies where the head does: "on it, a plate with a sandwich, a glass of water"."""
+        head = frame.head.thing if frame.head is not None else None
+        alone = frame.kind == "with" and self.separator == "comma" and bool(noun.det or noun.count is not None)
+        small = head is not None and is_small(head) and bool(self.front) and len(frame.members) == 1
+        listed = self._is_listed_on() or self._told_at_end() is not None
+        return alone and small and not frame.each and not listed and not self._is_told_by_pronoun()
 
     def _is_of_all_together(self, frame: Listed, thing: Mention) -> bool:
         """Whether it is one for all of several: "two bunks, each with a pillow on it, a ladder next to them"."""
