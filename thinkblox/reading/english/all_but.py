@@ -92,7 +92,9 @@ def _excepts(chunk: Chunk) -> bool:
 
 def _tells(after: Sequence[Chunk]) -> bool:
     """Whether it is told what they have: "all but one of them have a lamp"."""
-    return any(is_link(chunk, "verbs", "have", "hold", "carry") or is_link(chunk, "prepositions", "with") for chunk in after)
+    return any(
+        is_link(chunk, "verbs", "have", "hold", "carry") or is_link(chunk, "prepositions", "with") for chunk in after
+    )
 
 
 def _is_number(noun: Noun) -> bool:

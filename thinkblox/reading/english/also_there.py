@@ -17,7 +17,11 @@ def with_also_there(chunks: Sequence[Chunk]) -> list[Chunk]:
     made = list(chunks)
     for at in range(2, len(made)):
         it = made[at]
-        if not isinstance(it, Noun) or it.value != "it" or not is_link(made[at - 1], "prepositions", "on", "on_top", "in"):
+        if (
+            not isinstance(it, Noun)
+            or it.value != "it"
+            or not is_link(made[at - 1], "prepositions", "on", "on_top", "in")
+        ):
             continue
         before = at - 2 - _is_more(made[at - 2])
         begins = before >= 0 and is_link(made[before], "mark", "stop", "semicolon")

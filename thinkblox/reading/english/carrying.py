@@ -50,7 +50,7 @@ def _told_by_itself(chunks: Sequence[Chunk], at: int) -> list[Chunk]:
 
 
 def _told_before(chunks: Sequence[Chunk], at: int, place: Chunk) -> list[Chunk]:
-    """What stands on the thing, told before what is at the thing: "next to the table on which a printer is, is a bin"."""
+    """What stands on the thing, told before what is at it: "next to the table on which a printer is, is a bin"."""
     thing, link, which, other, stands = chunks[at : at + _STANDS + 1]
     assert isinstance(thing, Noun)
     known = replace(thing, start=which.start, end=which.end, det="the", text=f"the {thing.word}", count=None)

@@ -26,7 +26,11 @@ def with_moods_told(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _tells_mood(said: Sequence[Chunk]) -> bool:
     """Whether nothing but adjectives come, of which one at least is plainly one."""
-    words = [c for c in said if not (is_link(c, "mark", "comma") or is_link(c, "joins", "and", "but") or is_link(c, "fillers"))]
+    words = [
+        c
+        for c in said
+        if not (is_link(c, "mark", "comma") or is_link(c, "joins", "and", "but") or is_link(c, "fillers"))
+    ]
     if not any(isinstance(chunk, Noun) for chunk in words) or not all(_may_be_mood(chunk) for chunk in words):
         return False
     return any(isinstance(c, Adjective) or c.word.endswith(_ENDINGS) for c in words if isinstance(c, (Adjective, Noun)))

@@ -1,4 +1,4 @@
-"""Things at several others that are listed: "two lamps stand on the desk and the sideboard", "next to the bed and the desk"."""
+"""Things at several others that are listed: "two lamps stand on the desk and the sideboard"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -20,7 +20,11 @@ def with_several_anchors(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         link, anchors, end = chunks[at], *_listed(chunks, at + 1)
-        if len(anchors) < 2 or not isinstance(link, Connector) or not is_link(link, "prepositions", *_AT_ONE, *_BESIDE, *_OTHERS):
+        if (
+            len(anchors) < 2
+            or not isinstance(link, Connector)
+            or not is_link(link, "prepositions", *_AT_ONE, *_BESIDE, *_OTHERS)
+        ):
             made.append(chunks[at])
             at += 1
             continue

@@ -657,7 +657,7 @@ class Subjects(Having):
         return free and len(listed) > _PAIR and self._begins_with(listed[0])
 
     def _is_all_beside_head(self, frame: Listed, where: Where) -> bool:
-        """Whether small things are told to be beside each small head: "each bowl with a fork and a spoon next to it"."""
+        """Whether small things are said to be beside each small head: "each bowl with a fork and a spoon by it"."""
         head = frame.head.thing if frame.head is not None else None
         free = all(b.implied for member in frame.members for b in self.draft.bonds_of(member))
         it = where.noun is not None and where.noun.value == "it" and where.word in _BESIDE_SMALL

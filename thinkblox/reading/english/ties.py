@@ -81,12 +81,17 @@ class Ties(Relating):
         return frame.kind == "sides" and self.separator == "and" and [m.many for m in frame.members] == [False]
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
-        if self.separator == "comma_and" and self._is_as_many(frame, thing):
-            return False
         if self._is_told_of_one(frame, noun):
             return True
-        if self._is_of_all_together(frame, thing) or self._is_one_more_there(frame, noun):
-            return False
+        return not self._stands_apart_from(frame, thing, noun) and self._goes_on_with(frame, thing, noun)
+
+    def _stands_apart_from(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
+        """Whether it is one for all, or lies where the head does, or there are as many as of what has the list."""
+        if self.separator == "comma_and" and self._is_as_many(frame, thing):
+            return True
+        return self._is_of_all_together(frame, thing) or self._is_one_more_there(frame, noun)
+
+    def _goes_on_with(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         told = self._told_of(frame, thing)
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
@@ -127,7 +132,7 @@ class Ties(Relating):
         return frame.each and self.separator in ("comma", "comma_and") and them and not several
 
     def _is_told_of_one(self, frame: Listed, noun: Noun) -> bool:
-        """Whether a verb comes that can be told of the one head only: "a shelf with a box and two mats runs along it"."""
+        """Whether a verb comes that can be said of the one head only: "a shelf with a box and two mats runs there"."""
         head = frame.head.thing if frame.head is not None else None
         verb = self.peek()
         if head is None or head.many or not noun.many or self.separator != "and" or not isinstance(verb, Connector):

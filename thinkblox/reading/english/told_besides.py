@@ -49,7 +49,10 @@ def _told(chunks: Sequence[Chunk], at: int, thing: Noun) -> Noun | None:
     plain = one.det == "the" and text.endswith(_ONES) and not (one.ordinal or one.side or one.degree or one.of_known)
     if plain and (one.attributes or one.unshown) and thing.definite and not thing.attributes and not thing.many:
         return replace(
-            thing, attributes=[*one.attributes], unshown=[*thing.unshown, *one.unshown], states=[*thing.states, *one.states]
+            thing,
+            attributes=[*one.attributes],
+            unshown=[*thing.unshown, *one.unshown],
+            states=[*thing.states, *one.states],
         )
     return None
 
@@ -63,7 +66,13 @@ def _called_so(chunks: Sequence[Chunk], at: int) -> Adjective | None:
     if not strange or not is_link(chunk_at(chunks, at + 3), "verbs"):
         return None
     return Adjective(
-        other.start, other.end, other.text, [*other.attributes], [*other.styles], [*other.unshown, other.word], [*other.states]
+        other.start,
+        other.end,
+        other.text,
+        [*other.attributes],
+        [*other.styles],
+        [*other.unshown, other.word],
+        [*other.states],
     )
 
 
@@ -76,7 +85,14 @@ def _with_new_things(chunks: Sequence[Chunk]) -> list[Chunk]:
             continue
         after = chunk_at(made, at + 1)
         ends = after is None or is_link(after, "mark")
-        if chunk.det == "the" and ends and at > 2 and chunk.value not in named and not chunk.many and _is_fronted(made, at):
+        if (
+            chunk.det == "the"
+            and ends
+            and at > 2
+            and chunk.value not in named
+            and not chunk.many
+            and _is_fronted(made, at)
+        ):
             made[at] = replace(chunk, det="a")
         named.add(chunk.value)
     return made

@@ -91,7 +91,11 @@ def _verb(chunks: Sequence[Chunk], at: int, last: Noun | None) -> int:
     link, first = (*chunks[at : at + 2], None, None)[:2]
     if not is_link(link, "prepositions", *_UPON) or not isinstance(first, Noun) or first.kind != "thing":
         return 0
-    if first.det != "the" or _is_small(first) or not is_link(chunks[at + 2] if at + 2 < len(chunks) else None, *_PLACES):
+    if (
+        first.det != "the"
+        or _is_small(first)
+        or not is_link(chunks[at + 2] if at + 2 < len(chunks) else None, *_PLACES)
+    ):
         return 0
     ends = (n for n in range(at + 3, min(at + _MOST, len(chunks))) if is_link(chunks[n], "verbs"))
     verb = next(ends, 0)
@@ -105,8 +109,9 @@ def _verb(chunks: Sequence[Chunk], at: int, last: Noun | None) -> int:
 
 
 _PLACES = (
-    "prepositions", "to", "sides", "next_to", "near", "by", "behind", "in_front_of", "left_of", "right_of", "between", "under", "on",
-)  # fmt: skip
+    "prepositions",
+    *("to", "sides", "next_to", "near", "by", "behind", "in_front_of", "left_of", "right_of", "between", "under", "on"),
+)
 """Where something is to another."""
 
 
