@@ -63,6 +63,11 @@ _PLACE, _ENDS = 0.62, 0.65
 """Length of a table for one at its side, who may have more at such tables, and for those at its ends [m]."""
 _SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
+POLYGONS = {"hexagonal": 6, "octagonal": 8}
+"""Words for a top with so many corners."""
+_OBLONG = frozenset({"oval", "rectangular"})
+_LONGER, _AS_LONG = 1.2, 1.35
+"""How many times as long as wide what is oval or oblong is at least, and is made where it usually is not."""
 _EVEN = frozenset({"round", "square", "circular"})
 """Words for what is as wide as it is deep, or on a wall as it is high."""
 
@@ -135,11 +140,14 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
 
 
 def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:
-    """Make the plan round or square where the words say so; of a wall thing they say that of its face."""
-    if category.mount == "wall" or not _EVEN & set(words):
+    """Make the plan round, square or oblong where words say so; of a wall thing they say that of its face."""
+    corners = next((count for word, count in POLYGONS.items() if word in words), 0)
+    if category.mount == "wall" or not (corners or (_EVEN | _OBLONG) & set(words)):
         return x, y
     side = float(np.sqrt(x * y))
-    return side, side
+    if not corners and not _EVEN & set(words):
+        return (x, y) if max(x, y) >= _LONGER * min(x, y) else (side / _AS_LONG**0.5, side * _AS_LONG**0.5)
+    return (side, side) if corners % 4 == 0 else (side, side / float(np.cos(np.pi / corners)))
 
 
 def _within(category: Category, size: Vec3) -> Vec3:

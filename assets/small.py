@@ -1,5 +1,6 @@
 """Small things for tables and floors: books, papers, cushions, toys, trays and tools."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -31,7 +32,10 @@ from thinkblox.assets.shapes import (
 )
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Surface
-from thinkblox.value import Vec3
+from thinkblox.value import Vec2, Vec3
+
+_INK = Finish((0.35, 0.34, 0.33), "paper")
+"""What print looks like from a little way off."""
 
 
 def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
@@ -45,12 +49,36 @@ def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
 
 
 def book(spec: Spec) -> Build:
-    """Return a closed book lying down; a notebook or magazine is a thinner one."""
+    """Return a closed book lying down, or an "open" one; a notebook or magazine is a thinner one."""
     x, y, z = spec.size
+    if spec.has("open"):
+        cover = spec.main(spec.choice(SPINES))
+        return Build(body=[*_half_open(cover, spec.size, -1), *_half_open(cover, spec.size, 1)])
     return Build(
         body=_book(spec.main(spec.choice(SPINES)), (-x / 2, x / 2), (-y / 2, y / 2), (0, z)),
         surfaces=[top_surface("cover", (-x / 2, x / 2), (-y / 2, y / 2), z)],
     )
+
+
+def _half_open(cover: Finish, size: Vec3, side: int) -> list[Part]:
+    """The left or right half of an open book, with lines of print on its page, for who reads it from the front."""
+    x, y, z = size
+    half, thin, ends = y / 2, 0.1 * z, (-x / 2 + 0.004, x / 2 - 0.004)
+    bend, edge = (0.3 * half, z - 0.001), (0.97 * half, 0.55 * z)
+    pages = [(0.0, thin), (0.0, 0.8 * z), bend, edge, (edge[0], thin)]
+    body = [box(cover, (-x / 2, x / 2), (0.0, side * half), (0.0, thin))]
+    body.append(prism(PAPER, [(side * a, b) for a, b in pages], ends, axis=0))
+    body += [_line_of_print(bend, edge, side, (0.38 - 0.09 * k) * x) for k in range(9)]
+    return body
+
+
+def _line_of_print(bend: Vec2, edge: Vec2, side: int, x: float) -> Part:
+    """A thin dark strip across the level part of a page."""
+    fall = (edge[1] - bend[1]) / (edge[0] - bend[0])
+    ends = [(a, bend[1] + fall * (a - bend[0])) for a in (1.05 * bend[0], 0.93 * edge[0])]
+    outline = [*ends, *((a, b + 0.001) for a, b in reversed(ends))]
+    strip = prism(_INK, [(side * a, b) for a, b in outline], around(x, 0.006), axis=0)
+    return replace(strip, collide=False)
 
 
 def book_stack(spec: Spec) -> Build:
