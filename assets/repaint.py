@@ -76,6 +76,9 @@ _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
 """What gives light, shows a picture or grows keeps its look."""
 _DYED = ("leather", "fabric", "upholstered", "plastic", "ceramic", "wooden", "metal")
 """Words of materials that a colour beside them is the colour of, covers before frames: black leather."""
+_DARK = "dark"
+DARKEST, _DARKENED = 0.45, 0.36
+"""Below what brightness a thing is called dark, and how bright one is made that is not."""
 MOSTLY = 0.5
 """Least share of a material that has the colour which is asked of it."""
 
@@ -105,7 +108,27 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
             found = _recoloured(found, top_of(found).__contains__, finish.colour, finish.material)
         if word in COLOURS:
             found = _coated(found, COLOURS[word])
-    return _dyed(found, named)
+    return _darkened(_dyed(found, named), named)
+
+
+def _darkened(links: tuple[Link, ...], words: Collection[str]) -> tuple[Link, ...]:
+    """The links in darker tones of their own where words ask for that and name neither colour nor kind of wood."""
+    bright = brightness(links)
+    if _DARK not in words or bright <= DARKEST or any(word in COLOURS or word in _FINISHES for word in words):
+        return links
+
+    def darker(shape: Shape) -> Shape:
+        r, g, b = (c * _DARKENED / bright for c in shape.colour)
+        return shape if shape.material in _KEPT else structs.replace(shape, colour=(r, g, b))
+
+    return tuple(structs.replace(link, shapes=tuple(map(darker, link.shapes))) for link in links)
+
+
+def brightness(links: Iterable[Link]) -> float:
+    """Mean brightness of the faces of all shapes, 0 to 1."""
+    shapes = [shape for link in links for shape in link.shapes]
+    whole = sum(map(faces, shapes))
+    return sum(faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
 
 
 def _coated(links: tuple[Link, ...], colour: Vec3) -> tuple[Link, ...]:

@@ -7,6 +7,7 @@ from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, IRON
 from thinkblox.assets.part import Build, Finish, Part, turned
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, rod, round_leg, sphere, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.stripes import CHECKED, STRIPED
 
 _THICKNESS = {"slats": 0.028, "shell": 0.022, "upholstered": 0.06}
 
@@ -22,7 +23,7 @@ def chair(spec: Spec) -> Build:
     x, y, z = spec.size
     seat = _seat_height(z)
     kind = "shell" if spec.has("school", "plastic") else spec.choice(("slats", "upholstered", "slats", "shell"))
-    kind = "upholstered" if spec.has("leather", "fabric", "upholstered") else kind
+    kind = "upholstered" if spec.has("leather", "fabric", "upholstered", STRIPED, CHECKED) else kind
     frame = spec.style.metal if kind == "shell" and spec.has("school") else spec.wood
     build = Build(surfaces=[top_surface("seat", (-x / 2 + 0.09, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), seat)])
     build.body = _chair_frame(spec, frame, seat, _THICKNESS[kind], posts=kind == "slats")

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from math import dist, pi
+from math import dist, log, pi, prod
 
 import numpy as np
 from shapely import MultiPoint, Polygon, get_coordinates
@@ -12,12 +12,13 @@ from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, METALS, STONES, WICKER, WOODS
 from thinkblox.assets.repaint import (
+    DARKEST,
     MATERIALS,
     SAME_COLOUR,
     SHARE,
     TOPPED,
+    brightness,
     dyed,
-    faces,
     is_dyed,
     share,
     shows_colour,
@@ -26,7 +27,7 @@ from thinkblox.assets.repaint import (
 )
 from thinkblox.assets.shapes import polygon
 from thinkblox.assets.sizing import COUNTED_PARTS, POLYGONS, counted, people
-from thinkblox.assets.stand_ins import facts_of
+from thinkblox.assets.stand_ins import facts_of, kind_of
 from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.corners import corners_of
@@ -36,6 +37,8 @@ KINDS = {**WOODS, **METALS, **STONES}
 """Kinds of woods, metals and stones."""
 _PLACE, _KNEES = 0.5, 0.65
 """Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
+_FOR_TWO = 1.25
+"""How many times as long as usual a desk or basin for two is at least."""
 _FULL_HEIGHT = 2.1
 """From this height on a thing reaches from the floor to about the ceiling of a low room [m]."""
 _LONG = 1.7
@@ -168,6 +171,13 @@ def _has_corners(count: int) -> Callable[[Asset], bool]:
     return rule
 
 
+def _is_single(asset: Asset) -> bool:
+    """It is made for one, or is a desk or a basin that is usually for one, and no longer than usual."""
+    usual = kind_of(asset.category)
+    alone = usual.is_in("desks", "basins", "built_in") and asset.size[1] < _FOR_TWO * usual.size[1]
+    return alone or _heeded(asset, "single")
+
+
 def _seats(asset: Asset) -> int:
     """How many have room at a table, or side by side on what one sits on or at from one side."""
     short, long = sorted(asset.size[:2])
@@ -177,13 +187,6 @@ def _seats(asset: Asset) -> int:
         return int(pi * long / _PLACE)
     along = max(1, int((long - _KNEES) / _PLACE))
     return 2 * along + 2
-
-
-def _brightness(asset: Asset) -> float:
-    """Mean brightness of its faces, 0 to 1."""
-    shapes = _shapes(asset)
-    whole = sum(map(faces, shapes))
-    return sum(faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
 
 
 def _is_wicker(asset: Asset) -> bool:
@@ -198,8 +201,9 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
     "oval": _is_oval,
     **{word: _has_corners(count) for word, count in POLYGONS.items()},
     "long": _is_long,
-    "dark": lambda asset: _brightness(asset) < 0.45,
-    "light": lambda asset: _brightness(asset) > 0.55,
+    "single": _is_single,
+    "dark": lambda asset: brightness(asset.links) < DARKEST,
+    "light": lambda asset: brightness(asset.links) > 0.55,
     "wicker": _is_wicker,
     "wall-mounted": lambda asset: asset.mount == "wall",
     "hanging": lambda asset: asset.mount in ("ceiling", "wall"),
@@ -210,7 +214,7 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
 
 
 def _heeded(asset: Asset, attribute: str) -> bool:
-    """Whether the same asset would be another without the word, and is of a size that tells."""
+    """Whether the same asset would be another without the word, and is of about the size that the word makes it."""
     if asset.category not in CATALOGUE:
         return attribute in asset.attributes
     seed = seed_of(asset)
@@ -218,7 +222,8 @@ def _heeded(asset: Asset, attribute: str) -> bool:
         return False
     changed, told, untold = _change(asset.category, seed, asset.attributes, attribute, revision())
     sized = [(a, b, size) for a, b, size in zip(told, untold, asset.size, strict=True) if abs(a - b) > _SAME_SIZE]
-    return changed and (not sized or any(abs(size - a) < abs(size - b) for a, b, size in sized))
+    told_by, untold_by, now = (prod(lengths) for lengths in zip(*sized, strict=True)) if sized else (1.0, 2.0, 1.0)
+    return changed and abs(log(now / told_by)) < abs(log(now / untold_by))
 
 
 @lru_cache(maxsize=256)

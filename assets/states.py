@@ -28,7 +28,8 @@ _BOARDS = frozenset("altar luggage_rack pallet plate podium sawhorse wall_shelf"
 _STOCKED = frozenset("doll_house housekeeping_cart mug_tree popcorn_machine".split())
 """What has a hollow and is made with things in or on it."""
 _ALWAYS: dict[str, frozenset[str]] = {
-    "open": frozenset({"laptop", "curtain"}),
+    "open": frozenset({"laptop", "curtain", "fireplace", "clothes_rack"}),
+    "front-loading": frozenset({"washing_machine", "dryer"}),
     "folded": frozenset({"blanket", "towels"}),
     "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
     "stacked": frozenset({"book_stack", "paper", "towels"}),
@@ -79,9 +80,17 @@ def shows_state(asset: Asset, state: str) -> bool:
     shape = shape_of(CATALOGUE[asset.category]) if asset.category in CATALOGUE else ""
     if word == "closed" and (shape in _SHUT_SHAPES or any(link.joint is not None for link in asset.links)):
         return True
+    if word == "open" and _is_hollow(asset):
+        return True
     if (word, shape) in (("framed", "board"), ("folded", "cloth")):
         return True
     return asset.category in _ALWAYS.get(word, frozenset())
+
+
+def _is_hollow(asset: Asset) -> bool:
+    """Whether it has neither lid nor doors, as a bin without a lid and shelves without doors."""
+    lidless = any(s.within and s.headroom is None for s in asset.surfaces) or facts_of(asset.category).is_in("shelves")
+    return lidless and all(link.joint is None for link in asset.links)
 
 
 def _is_left_empty(asset: Asset, said: str) -> bool:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from thinkblox import printing
-from thinkblox.assets.make import make_asset
+from thinkblox.assets.make import fit_asset, make_asset
 from thinkblox.assets.showing import realised
 from thinkblox.assets.states import shows_state, words_for
 from thinkblox.brief import Brief, OpeningRequest, Relation, RelationKind, Request
@@ -267,6 +267,21 @@ def test_opposite_walls_are_opposite() -> None:
         ("wardrobe", "folding", False),
         ("stool", "swivel", True),
         ("bar_stool", "swivel", True),
+        ("potted_plant", "ceramic", True),
+        ("potted_plant", "terracotta", True),
+        ("chair", "striped", True),
+        ("sofa", "dark", True),
+        ("vanity", "dark", True),
+        ("sink", "double", True),
+        ("laundry_sink", "double", True),
+        ("school_desk", "double", True),
+        ("school_desk", "single", True),
+        ("sofa", "single", False),
+        ("shelving_unit", "open", True),
+        ("wardrobe", "open", False),
+        ("waste_bin", "open", True),
+        ("washing_machine", "front-loading", True),
+        ("dishwasher", "front-loading", False),
     ],
 )
 def test_whether_an_attribute_is_seen(category: str, word: str, shown: bool) -> None:
@@ -299,6 +314,25 @@ def test_states_that_are_seen() -> None:
     assert shows_state(make_asset("picture", seed=1), "framed")
     assert not shows_state(make_asset("poster", seed=1), "framed")
     assert not shows_state(make_asset("bookcase", seed=1, attributes=("filled",)), "empty")
+
+
+def test_a_double_sink_has_two_bowls() -> None:
+    bowls = [s for s in make_asset("sink", seed=1, attributes=("double",)).surfaces if s.within]
+    assert len(bowls) == 2
+    assert bowls[0].position[1] + bowls[0].size[1] / 2 < bowls[1].position[1] - bowls[1].size[1] / 2
+
+
+@pytest.mark.parametrize(("share", "shown"), [(1.0, True), (1.1, True), (1.5, False)])
+def test_a_small_table_that_was_made_larger_is_not_small(share: float, shown: bool) -> None:
+    small = make_asset("side_table", seed=3, attributes=("small",))
+    x, y, z = small.size
+    assert realised(fit_asset(small, (share * x, share * y, z)), "small") is shown
+
+
+def test_what_is_always_made_so_is_as_asked_though_it_is_no_look() -> None:
+    machines = request("washing_machine", 2, unshown=("front-loading", "haunted"))
+    found = {d.wanted: d.holds for d in made(brief(machines)).report.demands if d.kind == "attribute"}
+    assert found == {"front-loading": True, "haunted": False}
 
 
 @pytest.mark.parametrize(("category", "word"), [("dining_table", "oval"), ("mirror", "oval"), ("table", "hexagonal")])

@@ -72,8 +72,9 @@ def _of_request(scene: Scene, request: Request, placed: Sequence[Placement]) -> 
     for word in request.attributes:
         yield _attribute(noun, word, assets)
     for word in request.unshown:
-        says = "no shape, colour or material shows it"
-        yield Demand(kind="attribute", subject=noun, wanted=word, holds=False, measured=says)
+        shown = bool(assets) and all(shows_state(asset, word) for asset in assets)
+        says = "shown" if shown else "no shape, colour or material shows it"
+        yield Demand(kind="attribute", subject=noun, wanted=word, holds=shown, measured=says)
     for state in request.states:
         shown, says = _state(scene, state, placed)
         yield Demand(kind="state", subject=noun, wanted=state, holds=shown, measured=says)
