@@ -35,6 +35,8 @@ _SCALES: dict[str, Vec3] = {
 }
 
 
+OPEN = "open"
+"""What is said of a thing whose doors stand open."""
 UPRIGHT = "upright"
 """What is said of a long thing that stands on its end."""
 _SMALL_VARIED = 1.8
@@ -74,7 +76,7 @@ _EVEN = frozenset({"round", "square", "circular"})
 
 def size_for(category: Category, words: frozenset[str], rng: np.random.Generator) -> Vec3:
     """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
-    size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
+    size = _variant(category, words)
     exact = size is not None
     x, y, z = size or category.size
     seated = _seated(category, size or category.size, people(words), words)
@@ -96,6 +98,15 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     if _EVEN & words and abs(x - y) < _SAME:
         size = _within(category, (max(size[:2]), max(size[:2]), size[2]))
     return lain(category, size) if is_stood(category, words) else size
+
+
+def _variant(category: Category, words: frozenset[str]) -> Vec3 | None:
+    """The size that a word stands for; open doors take as much before any other form as before the usual one [m]."""
+    named = [word for word in sorted(words) if word in category.variants]
+    if len(named) > 1 and OPEN in named and OPEN in category.states:
+        x, y, z = category.variants[next(word for word in named if word != OPEN)]
+        return (x + category.variants[OPEN][0] - category.size[0], y, z)
+    return category.variants[named[0]] if named else None
 
 
 def is_stood(category: Category, words: Collection[str]) -> bool:

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable, Iterator
 
+from thinkblox.assets.ajar import has_open_door
 from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.assets.facts import Role
 from thinkblox.assets.open_forms import TIERED
 from thinkblox.assets.plain import shape_of
+from thinkblox.assets.sizing import OPEN
 from thinkblox.assets.stand_ins import facts_of
 from thinkblox.scene.asset import Asset
 
@@ -72,6 +74,8 @@ def shows_state(asset: Asset, state: str) -> bool:
     word, facts = meant_by(state), facts_of(asset.category)
     if word == EMPTY:
         return _is_left_empty(asset, state.lower().strip())
+    if word == OPEN and any(link.joint is not None for link in asset.links):
+        return has_open_door(asset.links)
     told = facts.states + tuple(facts.forms.values())
     if word in asset.attributes and word in told:
         return True
