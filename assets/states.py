@@ -8,7 +8,7 @@ from thinkblox.assets.facts import Role
 from thinkblox.assets.open_forms import TIERED
 from thinkblox.assets.plain import shape_of
 from thinkblox.assets.sizing import OPEN
-from thinkblox.assets.stand_ins import facts_of
+from thinkblox.assets.stand_ins import facts_of, stand_in
 from thinkblox.scene.asset import Asset
 
 EMPTY, STACKED = "empty", "stacked"
@@ -37,7 +37,9 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "stacked": frozenset({"book_stack", "paper", "towels"}),
     "rolled": frozenset({"rolled_rug", "rolled_mat"}),
     "framed": frozenset({"picture", "photo_frame", "mirror", "standing_mirror", "painting"}),
-    "closed": frozenset("book book_stack notebook umbrella suitcase backpack toilet toolbox box pizza_box jar".split()),
+    "closed": frozenset(
+        "book book_stack notebook spell_book umbrella suitcase backpack toilet toolbox box pizza_box jar".split()
+    ),
     "swivel": frozenset({"office_chair"}),
     "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
@@ -88,7 +90,8 @@ def shows_state(asset: Asset, state: str) -> bool:
         return True
     if (word, shape) in (("framed", "board"), ("folded", "cloth")):
         return True
-    return asset.category in _ALWAYS.get(word, frozenset())
+    always = _ALWAYS.get(word, frozenset())
+    return asset.category in always or stand_in(asset.category).like in always
 
 
 def _is_hollow(asset: Asset) -> bool:

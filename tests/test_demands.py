@@ -267,6 +267,10 @@ def test_opposite_walls_are_opposite() -> None:
         ("wardrobe", "folding", False),
         ("stool", "swivel", True),
         ("bar_stool", "swivel", True),
+        ("plant_stand", "round", True),
+        ("stage_platform", "round", True),
+        ("hopscotch_mat", "round", True),
+        ("poker_table", "oval", True),
         ("potted_plant", "ceramic", True),
         ("potted_plant", "terracotta", True),
         ("chair", "striped", True),
@@ -315,6 +319,13 @@ def test_states_that_are_seen() -> None:
     assert shows_state(make_asset("picture", seed=1), "framed")
     assert not shows_state(make_asset("poster", seed=1), "framed")
     assert not shows_state(make_asset("bookcase", seed=1, attributes=("filled",)), "empty")
+
+
+@pytest.mark.parametrize("category", ["dining_table", "bookcase", "vanity"])
+def test_what_is_of_dark_wood_is_both(category: str) -> None:
+    for seed in range(4):
+        asset = make_asset(category, seed=seed, attributes=("dark", "wooden"))
+        assert [realised(asset, word) for word in ("dark", "wooden")] == [True, True]
 
 
 def test_a_double_sink_has_two_bowls() -> None:
