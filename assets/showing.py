@@ -1,6 +1,6 @@
 """Whether an asset shows what was said of it: its colour, what it is made of, its shape and size, or any other word."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from math import dist, log, pi, prod
 
@@ -26,7 +26,7 @@ from thinkblox.assets.repaint import (
     shows_top,
 )
 from thinkblox.assets.shapes import polygon
-from thinkblox.assets.sizing import COUNTED_PARTS, POLYGONS, counted, people
+from thinkblox.assets.sizing import COUNTED_PARTS, POLYGONS, counted, is_degree, people
 from thinkblox.assets.stand_ins import facts_of, kind_of
 from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
@@ -222,8 +222,15 @@ def _heeded(asset: Asset, attribute: str) -> bool:
         return False
     changed, told, untold = _change(asset.category, seed, asset.attributes, attribute, revision())
     sized = [(a, b, size) for a, b, size in zip(told, untold, asset.size, strict=True) if abs(a - b) > _SAME_SIZE]
-    told_by, untold_by, now = (prod(lengths) for lengths in zip(*sized, strict=True)) if sized else (1.0, 2.0, 1.0)
-    return changed and abs(log(now / told_by)) < abs(log(now / untold_by))
+    if sized and is_degree(attribute):
+        sized = [_together(sized)]
+    return changed and (not sized or any(abs(log(size / a)) < abs(log(size / b)) for a, b, size in sized))
+
+
+def _together(extents: Sequence[Vec3]) -> Vec3:
+    """The products of several extents, each as told, as untold and as it is."""
+    told, untold, now = (prod(lengths) for lengths in zip(*extents, strict=True))
+    return told, untold, now
 
 
 @lru_cache(maxsize=256)

@@ -126,6 +126,11 @@ def lain(category: Category, size: Vec3) -> Vec3:
     return (z, y, x) if category.long_axis == 0 else (x, z, y)
 
 
+def is_degree(word: str) -> bool:
+    """Whether a word says how large a thing is, as "small" and "long" do."""
+    return word in _SCALES
+
+
 def scale_of(words: Collection[str]) -> Vec3:
     """How many times the ordinary extents what is called so has; 1 where no word says."""
     scales = np.array([_SCALES[word] for word in words if word in _SCALES] or [(1.0, 1.0, 1.0)])
