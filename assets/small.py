@@ -1,10 +1,10 @@
 """Small things for tables and floors: books, papers, cushions, toys, trays and tools."""
 
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
+from thinkblox.assets.books import open_book, shut_book
 from thinkblox.assets.palette import (
     BRASS,
     BRIGHT,
@@ -32,20 +32,7 @@ from thinkblox.assets.shapes import (
 )
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Surface
-from thinkblox.value import Vec2, Vec3
-
-_INK = Finish((0.35, 0.34, 0.33), "paper")
-"""What print looks like from a little way off."""
-
-
-def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
-    cover = min(0.003, 0.2 * (z[1] - z[0]))
-    return [
-        box(finish, x, y, (z[0], z[0] + cover)),
-        box(PAPER, (x[0] + 0.003, x[1] - 0.003), (y[0] + 0.004, y[1] - 0.003), (z[0] + cover, z[1] - cover)),
-        box(finish, x, (y[0], y[0] + 0.004), (z[0] + cover, z[1] - cover)),
-        box(finish, x, y, (z[1] - cover, z[1])),
-    ]
+from thinkblox.value import Vec3
 
 
 def book(spec: Spec) -> Build:
@@ -53,32 +40,11 @@ def book(spec: Spec) -> Build:
     x, y, z = spec.size
     if spec.has("open"):
         cover = spec.main(spec.choice(SPINES))
-        return Build(body=[*_half_open(cover, spec.size, -1), *_half_open(cover, spec.size, 1)])
+        return Build(body=open_book(cover, spec.size))
     return Build(
-        body=_book(spec.main(spec.choice(SPINES)), (-x / 2, x / 2), (-y / 2, y / 2), (0, z)),
+        body=shut_book(spec.main(spec.choice(SPINES)), (-x / 2, x / 2), (-y / 2, y / 2), (0, z)),
         surfaces=[top_surface("cover", (-x / 2, x / 2), (-y / 2, y / 2), z)],
     )
-
-
-def _half_open(cover: Finish, size: Vec3, side: int) -> list[Part]:
-    """The left or right half of an open book, with lines of print on its page, for who reads it from the front."""
-    x, y, z = size
-    half, thin, ends = y / 2, 0.1 * z, (-x / 2 + 0.004, x / 2 - 0.004)
-    bend, edge = (0.3 * half, z - 0.001), (0.97 * half, 0.55 * z)
-    pages = [(0.0, thin), (0.0, 0.8 * z), bend, edge, (edge[0], thin)]
-    body = [box(cover, (-x / 2, x / 2), (0.0, side * half), (0.0, thin))]
-    body.append(prism(PAPER, [(side * a, b) for a, b in pages], ends, axis=0))
-    body += [_line_of_print(bend, edge, side, (0.38 - 0.09 * k) * x) for k in range(9)]
-    return body
-
-
-def _line_of_print(bend: Vec2, edge: Vec2, side: int, x: float) -> Part:
-    """A thin dark strip across the level part of a page."""
-    fall = (edge[1] - bend[1]) / (edge[0] - bend[0])
-    ends = [(a, bend[1] + fall * (a - bend[0])) for a in (1.05 * bend[0], 0.93 * edge[0])]
-    outline = [*ends, *((a, b + 0.001) for a, b in reversed(ends))]
-    strip = prism(_INK, [(side * a, b) for a, b in outline], around(x, 0.006), axis=0)
-    return replace(strip, collide=False)
 
 
 def book_stack(spec: Spec) -> Build:
@@ -89,7 +55,7 @@ def book_stack(spec: Spec) -> Build:
     for k in range(count):
         half = (x / 2 - 0.012 * (k % 3), y / 2 - 0.01 * ((k + 1) % 3))
         shift = (spec.between(-1, 1) * (x / 2 - half[0]), spec.between(-1, 1) * (y / 2 - half[1]))
-        body += _book(
+        body += shut_book(
             spec.choice(SPINES),
             (shift[0] - half[0], shift[0] + half[0]),
             (shift[1] - half[1], shift[1] + half[1]),

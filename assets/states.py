@@ -3,12 +3,11 @@
 from collections.abc import Iterable, Iterator
 
 from thinkblox.assets.ajar import has_open_door
-from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.assets.facts import Role
 from thinkblox.assets.open_forms import TIERED
 from thinkblox.assets.plain import shape_of
 from thinkblox.assets.sizing import OPEN
-from thinkblox.assets.stand_ins import facts_of, stand_in
+from thinkblox.assets.stand_ins import facts_of, kind_of, stand_in
 from thinkblox.scene.asset import Asset
 
 EMPTY, STACKED = "empty", "stacked"
@@ -37,9 +36,7 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "stacked": frozenset({"book_stack", "paper", "towels"}),
     "rolled": frozenset({"rolled_rug", "rolled_mat"}),
     "framed": frozenset({"picture", "photo_frame", "mirror", "standing_mirror", "painting"}),
-    "closed": frozenset(
-        "book book_stack notebook spell_book umbrella suitcase backpack toilet toolbox box pizza_box jar".split()
-    ),
+    "closed": frozenset("book book_stack notebook umbrella suitcase backpack toilet toolbox box pizza_box jar".split()),
     "swivel": frozenset({"office_chair"}),
     "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
@@ -48,7 +45,7 @@ _ALWAYS: dict[str, frozenset[str]] = {
 """Categories that are made so and in no other way, by state."""
 _OPENED = ("open", "open-fronted")
 """Forms of what is not shut."""
-_SHUT_SHAPES = ("cabinet", "block")
+_SHUT_SHAPES = ("cabinet", "block", "tome")
 """Plain shapes that are shut on all sides."""
 
 
@@ -83,7 +80,7 @@ def shows_state(asset: Asset, state: str) -> bool:
         return True
     if {*facts.states, *(_OPENED if word == "closed" else ())} & set(asset.attributes):
         return False
-    shape = shape_of(CATALOGUE[asset.category]) if asset.category in CATALOGUE else ""
+    shape = shape_of(kind_of(asset.category))
     if word == "closed" and (shape in _SHUT_SHAPES or any(link.joint is not None for link in asset.links)):
         return True
     if word == "open" and _is_hollow(asset):

@@ -365,6 +365,7 @@ def test_the_legs_of_a_round_thing_stand_under_its_top(category: str) -> None:
     [
         ("towels", "rolled up", "folded"),
         ("book", "open", "closed"),
+        ("spell_book", "open", "closed"),
         ("laptop", "closed", "open"),
         ("wall_map", "framed", ""),
         ("poster", "framed", ""),
