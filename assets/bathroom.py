@@ -1,5 +1,6 @@
 """Bathroom fittings."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
@@ -256,8 +257,10 @@ def shower_cabin(spec: Spec) -> Build:
 
 
 def towel_stack(spec: Spec) -> Build:
-    """Return folded towels on each other."""
+    """Return folded towels on each other; "rolled" ones lie three side by side with two on them."""
     x, y, z = spec.size
+    if spec.has("rolled"):
+        return _towel_rolls(spec)
     count = max(2, round(z / 0.06))
     tones = (spec.main(spec.style.accent), spec.main(spec.style.fabric))
     body = [
@@ -267,6 +270,26 @@ def towel_stack(spec: Spec) -> Build:
         for k in range(count)
     ]
     return Build(body=body)
+
+
+def _towel_rolls(spec: Spec) -> Build:
+    x, y, _ = spec.size
+    r, raised = y / 6, 3**0.5 * y / 6
+    tones = (spec.main(spec.style.accent), spec.main(spec.style.fabric))
+    rows = [(2 * k * r, r) for k in (-1, 0, 1)] + [(k * r, r + raised) for k in (-1, 1)]
+    along = (-x / 2, x / 2)
+    return Build(body=[part for k, at in enumerate(rows) for part in _towel_roll(tones[k % 2], at, r, along)])
+
+
+def _towel_roll(cloth: Finish, middle: Vec2, radius: float, along: Range) -> list[Part]:
+    """A rolled towel, with the turns that are seen at its ends."""
+    dark = Finish((0.7 * cloth.colour[0], 0.7 * cloth.colour[1], 0.7 * cloth.colour[2]), cloth.material)
+    parts = []
+    for step, (finish, share) in enumerate(((cloth, 1.0), (dark, 0.8), (cloth, 0.68), (dark, 0.4), (cloth, 0.28))):
+        inset = 0.004 - 0.001 * step
+        outline = [(middle[0] + a, middle[1] + b) for a, b in oval(2 * share * radius, 2 * share * radius, sides=20)]
+        parts.append(prism(finish, outline, (along[0] + inset, along[1] - inset), axis=0, smooth=True))
+    return [parts[0], *(replace(part, collide=False) for part in parts[1:])]
 
 
 def toilet_paper(spec: Spec) -> Build:

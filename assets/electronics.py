@@ -62,9 +62,14 @@ def monitor(spec: Spec) -> Build:
 
 
 def laptop(spec: Spec) -> Build:
-    """Return an open laptop; the user sits on the +x side."""
+    """Return an open laptop, or a "closed" one; the user sits on the +x side."""
     x, y, z = spec.size
     shell = spec.main(spec.choice((STEEL, GREY_METAL, DARK_PLASTIC)))
+    if spec.has("closed"):
+        seam = around(0.48 * z, 0.08 * z)
+        halves = ((0.0, seam[0]), (seam[1], z))
+        shut = [cushion(shell, (-x / 2, x / 2), (-y / 2, y / 2), half, radius=0.3 * z) for half in halves]
+        return Build(body=[*shut, box(DARK_PLASTIC, around(0, 0.97 * x), around(0, 0.98 * y), seam)])
     hinge, depth = -0.2 * x, 0.7 * x
     body: list[Part] = [
         box(shell, (x / 2 - depth, x / 2), (-y / 2, y / 2), (0, 0.014)),

@@ -106,6 +106,8 @@ class Facts:
         forms: words for the variant in which it "holds", "carries" or stands "over" other things, or is itself "inside"
             or "under" one, or "below" what hangs over it: an umbrella in a stand is upright, a stand that is told to
             hold some is empty before.
+        states: words for how it can be made besides as usual, where a prompt wants to find it so: a book is shut, or
+            "open".
         gaze: which way one looks who uses it: over its front (a sofa), or over its back (a desk).
     """
 
@@ -128,6 +130,7 @@ class Facts:
     run: str = ""
     uses: tuple[Use, ...] = ()
     forms: Mapping[Role, str] = field(default_factory=dict)
+    states: tuple[str, ...] = ()
     gaze: Gaze = "front"
 
     def __post_init__(self) -> None:

@@ -5,12 +5,14 @@ import hashlib
 import re
 import zlib
 from collections.abc import Sequence
+from copy import deepcopy
 from functools import lru_cache
 
 import msgspec
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets.ajar import ajar, depth_before, stands_open
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
@@ -19,6 +21,7 @@ from thinkblox.assets.masses import mass_of
 from thinkblox.assets.mounting import mount_of
 from thinkblox.assets.open_forms import FOR_LONG, opened, stood_up
 from thinkblox.assets.palette import style_of
+from thinkblox.assets.part import Build
 from thinkblox.assets.repaint import of_kind, repainted
 from thinkblox.assets.sizing import checked_size, is_stood, lain, size_for
 from thinkblox.assets.spec import Spec
@@ -99,25 +102,30 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     drawn = size_for(category, words, rng)
     size = size or drawn
     stood = is_stood(category, words)
-    made = category.generator(Spec(name, lain(category, size) if stood else size, words, style_of(seed), rng))
+    lying = lain(category, size) if stood else size
+
+    def generated(box: Vec3) -> Build:
+        return category.generator(Spec(name, box, words, style_of(seed), deepcopy(rng)))
+
+    made = ajar(generated, lying) if stands_open(category, words) else generated(lying)
     if stood and category.long_axis is not None:
         made = stood_up(made, category.long_axis)
     forms = words & {FOR_LONG, *(category.forms[role] for role in ("holds", "carries") if role in category.forms)}
     build = fitted(opened(made, forms, round=(made.front or category.front) == "any") if forms else made, size)
     links, mount = links_of(build, size), mount_of(category, words)
-    painted = repainted(links, words)
+    painted, before = repainted(links, words), depth_before(links, size)
     surfaces = _topped(category, tuple(build.surfaces) or _found(category, mount, links, size))
     asset = Asset(
         id="",
         category=name,
         description=" ".join([*attributes, category.noun]),
         size=size,
-        mass=mass_of(category, size),
+        mass=mass_of(category, (size[0] - before, *size[1:])),
         friction=category.friction,
         mount=mount,
         links=patterned(painted, words),
         front=build.front or category.front,
-        clearance=category.clearance,
+        clearance=max(0.0, round(category.clearance - before, 4)),
         surfaces=surfaces,
         attributes=attributes,
         provenance=f"{'procedural' if name in CATALOGUE else 'stand_in'}:{name}:seed={seed}"

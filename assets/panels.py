@@ -62,14 +62,18 @@ _LANDS = (
 
 
 def wall_map(spec: Spec) -> Build:
-    """Return a map of the world that hangs from a rod, with another at its foot."""
+    """Return a map of the world that hangs from a rod, with another at its foot, or a "framed" one."""
     x, y, z = spec.size
     wood, bar = spec.main(spec.style.wood), min(x, 0.03)
     skin = (0.2 * x, 0.2 * x + 0.0008)
-    body = [
-        *(box(wood, (-x / 2, x / 2), (-y / 2, y / 2), level) for level in ((0, bar), (z - bar, z))),
-        box(_SEA, (-0.2 * x, 0.2 * x), around(0, 0.97 * y), (bar, z - bar)),
-    ]
+    body = (
+        _sheet(spec, wood, _SEA, bar)
+        if spec.has("framed")
+        else [
+            *(box(wood, (-x / 2, x / 2), (-y / 2, y / 2), level) for level in ((0, bar), (z - bar, z))),
+            box(_SEA, (-0.2 * x, 0.2 * x), around(0, 0.97 * y), (bar, z - bar)),
+        ]
+    )
     for k, land in enumerate(_LANDS):
         patch = prism(Finish(_LAND[k % 3], "paper"), [(u * y, v * z) for u, v in land], skin, axis=0)
         body.append(replace(patch, collide=False))
@@ -111,9 +115,9 @@ def menu_board(spec: Spec) -> Build:
 
 
 def picture(spec: Spec) -> Build:
-    """Return a framed print: a mat and a few flat forms; a poster is the same without a mat."""
+    """Return a framed print: a mat and a few flat forms; a poster is the same without a mat, unless it is "framed"."""
     x, y, z = spec.size
-    poster = spec.category == "poster"
+    poster = spec.category == "poster" and not spec.has("framed")
     frame = spec.main(spec.choice((spec.style.wood, IRON, BRASS, WHITE_PAINT)))
     body = _sheet(spec, frame, PAPER, 0.012 if poster else 0.022)
     margin = 0.03 if poster else 0.16 * min(y, z)

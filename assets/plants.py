@@ -10,6 +10,8 @@ from thinkblox.assets.shapes import around, box, disc, ellipsoid, frustum, pad, 
 from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2, Vec3
 
+_POTS = ("ceramic", "terracotta", "clay", "porcelain", "stone", "plastic", "metal", "wicker", "paper")
+"""Words for what a pot is made of."""
 _PRESSED = 2e-4
 """What is no thicker along some axis is pressed flat [m]."""
 
@@ -140,16 +142,16 @@ def _tree(spec: Spec, reach: float, low: float, z: float) -> list[Part]:
 
 
 def potted_plant(spec: Spec) -> Build:
-    """Return a small plant for a table: rosettes, trailing leaves or a flowering pot."""
+    """Return a small plant for a table, or a flowering pot; where words say what the pot is of, that is most of it."""
     x, y, z = spec.size
     reach = min(x, y) / 2
-    height = 0.38 * z
-    build = Build(
-        body=pot(spec.main(spec.choice((spec.style.glaze, Finish((0.73, 0.44, 0.32), "ceramic")))), 0.6 * reach, height)
-    )
+    large = spec.has(*_POTS)
+    wide, height = (0.76, 0.47 * z) if large else (0.6, 0.38 * z)
+    finish = spec.main(spec.choice((spec.style.glaze, Finish((0.73, 0.44, 0.32), "ceramic"))))
+    build = Build(body=pot(finish, wide * reach, height))
     green = spec.choice(LEAVES)
     parts: list[Part] = []
-    for k in range(12):
+    for k in range(1 if large else 0, 12, 2 if large else 1):
         pitch = 22 + 58 * k / 11
         parts.append(
             leaf(

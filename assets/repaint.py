@@ -1,6 +1,7 @@
 """Colours and materials that a prompt names, brought to what a generator made without them."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
+from functools import partial
 from math import dist
 
 from msgspec import structs
@@ -76,6 +77,13 @@ _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
 """What gives light, shows a picture or grows keeps its look."""
 _DYED = ("leather", "fabric", "upholstered", "plastic", "ceramic", "wooden", "metal")
 """Words of materials that a colour beside them is the colour of, covers before frames: black leather."""
+_COVERS: tuple[Material, ...] = ("wood", "fabric", "leather")
+"""What is darkened before the rest."""
+_DARK = "dark"
+_OF_A_TONE = frozenset({*COLOURS, *WOODS, *METALS, *STONES} - {"wooden"})
+"""Words with a tone of their own, which "dark" before them is about."""
+DARKEST, _DARKENED = 0.45, 0.36
+"""Below what brightness a thing is called dark, and how bright one is made that is not."""
 MOSTLY = 0.5
 """Least share of a material that has the colour which is asked of it."""
 
@@ -105,7 +113,42 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
             found = _recoloured(found, top_of(found).__contains__, finish.colour, finish.material)
         if word in COLOURS:
             found = _coated(found, COLOURS[word])
-    return _dyed(found, named)
+    return _darkened(_dyed(found, named), named)
+
+
+def _darkened(links: tuple[Link, ...], words: Collection[str]) -> tuple[Link, ...]:
+    """The links in darker tones of their own where words ask for that and name neither colour nor kind of wood.
+
+    Wood, cloth and leather come first, and all of it where they are too little.
+    """
+    if _DARK not in words or any(word in _OF_A_TONE for word in words):
+        return links
+    for first in (True, False):
+        bright = brightness(links)
+        if bright <= DARKEST:
+            break
+        chosen = partial(_is_darkened, first=first)
+        links = tuple(structs.replace(link, shapes=_darker(link.shapes, chosen, _DARKENED / bright)) for link in links)
+    return links
+
+
+def _is_darkened(shape: Shape, *, first: bool) -> bool:
+    return shape.material in _COVERS if first else shape.material not in _KEPT
+
+
+def _darker(shapes: Iterable[Shape], chosen: Callable[[Shape], bool], share: float) -> tuple[Shape, ...]:
+    def darker(shape: Shape) -> Shape:
+        r, g, b = (c * share for c in shape.colour)
+        return structs.replace(shape, colour=(r, g, b))
+
+    return tuple(darker(shape) if chosen(shape) else shape for shape in shapes)
+
+
+def brightness(links: Iterable[Link]) -> float:
+    """Mean brightness of the faces of all shapes, 0 to 1."""
+    shapes = [shape for link in links for shape in link.shapes]
+    whole = sum(map(faces, shapes))
+    return sum(faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
 
 
 def _coated(links: tuple[Link, ...], colour: Vec3) -> tuple[Link, ...]:

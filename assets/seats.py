@@ -1,12 +1,13 @@
 """Chairs, stools and benches. The back is at -x; what is in front of it goes under a table."""
 
 from dataclasses import replace
-from math import cos, pi, sin
+from math import atan, cos, degrees, pi, sin
 
 from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, IRON
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.shapes import around, box, cushion, disc, leg, rod, round_leg, sphere, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, rod, round_leg, sphere, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.stripes import CHECKED, STRIPED
 
 _THICKNESS = {"slats": 0.028, "shell": 0.022, "upholstered": 0.06}
 
@@ -16,11 +17,13 @@ def _seat_height(z: float) -> float:
 
 
 def chair(spec: Spec) -> Build:
-    """Return a side chair: wooden with slats, upholstered, or a moulded shell."""
+    """Return a side chair: wooden with slats, upholstered, or a moulded shell; a "folding" one on crossed legs."""
+    if spec.has("folding"):
+        return _folding_chair(spec)
     x, y, z = spec.size
     seat = _seat_height(z)
     kind = "shell" if spec.has("school", "plastic") else spec.choice(("slats", "upholstered", "slats", "shell"))
-    kind = "upholstered" if spec.has("leather", "fabric", "upholstered") else kind
+    kind = "upholstered" if spec.has("leather", "fabric", "upholstered", STRIPED, CHECKED) else kind
     frame = spec.style.metal if kind == "shell" and spec.has("school") else spec.wood
     build = Build(surfaces=[top_surface("seat", (-x / 2 + 0.09, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), seat)])
     build.body = _chair_frame(spec, frame, seat, _THICKNESS[kind], posts=kind == "slats")
@@ -73,6 +76,25 @@ def chair(spec: Spec) -> Build:
         )
         build.body += _slats(spec, seat)
     return build
+
+
+def _folding_chair(spec: Spec) -> Build:
+    x, y, z = spec.size
+    seat = _seat_height(z)
+    frame, board = spec.style.metal, spec.main(spec.style.wood)
+    body: list[Part] = [cushion(board, (-0.3 * x, x / 2), around(0, y - 0.09), (seat - 0.02, seat), radius=0.008)]
+    for s in (-1, 1):
+        outer, inner = s * (y / 2 - 0.012), s * (y / 2 - 0.035)
+        body.append(rod(frame, (x / 2 - 0.012, outer, 0.0), (-x / 2 + 0.012, outer, z), 0.011))
+        body.append(rod(frame, (-x / 2 + 0.012, inner, 0.0), (0.36 * x, inner, seat - 0.02), 0.011))
+    lean = (x - 0.024) / z
+    for low, high, thick in ((0.03, 0.055, 0.011), (0.7, 0.94, 0.016)):
+        at = x / 2 - 0.012 - lean * (low + high) / 2 * z
+        bar = box(board if high > 0.5 else frame, around(at, thick), around(0, y - 0.02), (low * z, high * z))
+        body.append(turned(bar, 1, -degrees(atan(lean)), bar.centre) if high > 0.5 else bar)
+    body.append(box(frame, around(-x / 2 + 0.035, 0.011), around(0, y - 0.07), (0.03 * z, 0.055 * z)))
+    area = ((-0.28 * x, x / 2 - 0.01), around(0, y - 0.1))
+    return Build(body=body, surfaces=[top_surface("seat", *area, seat)])
 
 
 def _tilted_back(part: Part, x: float, seat: float) -> Part:
@@ -146,17 +168,27 @@ def office_chair(spec: Spec) -> Build:
 
 
 def stool(spec: Spec) -> Build:
-    """Return a round stool on four splayed legs; a high one has a foot ring."""
+    """Return a stool with a round seat on four splayed legs, which stand under it where "round" is asked for.
+
+    The seat of a "square" one is square. A high one has a foot ring, a "swivel" one a column on a foot, a "folding" one
+    crossed legs.
+    """
+    if spec.has("swivel", "folding"):
+        return _swivel_stool(spec) if spec.has("swivel") else _folding_stool(spec)
     x, y, z = spec.size
     top = spec.wood if spec.rng.random() < 0.6 else spec.main(spec.style.accent)
     frame = spec.style.metal if spec.rng.random() < 0.4 else spec.style.wood
     radius = min(x, y) / 2
     soft = top.material == "fabric"
     thick = 0.06 if soft else 0.032
-    seat_radius = radius - 0.02
+    upright = spec.has("round", "circular")
+    seat_radius = radius if upright else radius - 0.02
+    angular = spec.has("square", "rectangular")
     parts: list[Part] = [disc(top, (0, 0), seat_radius, (z - thick, z))]
+    if angular:
+        parts = [cushion(top, (-radius, radius), (-radius, radius), (z - thick, z), radius=0.012)]
     corners = [(sx, sy) for sx in (-1, 1) for sy in (-1, 1)]
-    foot, head = radius - 0.016, 0.5 * radius
+    foot, head = (0.66 if upright else 1.0) * radius - 0.016, (0.42 if upright else 0.5) * radius
     parts += [
         round_leg(frame, (sx * foot, sy * foot), (sx * head, sy * head), (0, z - thick), 0.012, 0.018)
         for sx, sy in corners
@@ -167,12 +199,47 @@ def stool(spec: Spec) -> Build:
         parts.append(rod(frame, (-at, s * at, height), (at, s * at, height), 0.008))
         parts.append(rod(frame, (s * at, -at, height + 0.03), (s * at, at, height + 0.03), 0.008))
     area = around(0, 2 * seat_radius)
+    surface = top_surface("seat", area, area, z, round=not angular)
+    return Build(body=parts, surfaces=[surface], front="two" if angular else "any")
+
+
+def _swivel_stool(spec: Spec) -> Build:
+    x, y, z = spec.size
+    cover, metal = spec.main(spec.style.accent), spec.choice((CHROME, IRON))
+    radius, hub = min(x, y) / 2, 0.1
+    parts: list[Part] = [
+        disc(metal, (0, 0), 0.032, (0.03, hub)),
+        disc(metal, (0, 0), 0.02, (hub, z - 0.08)),
+        disc(metal, (0, 0), 0.45 * radius, (z - 0.08, z - 0.06)),
+        disc(cover, (0, 0), radius, (z - 0.06, z)),
+    ]
+    for k in range(5):
+        c, s = cos(2 * pi * k / 5), sin(2 * pi * k / 5)
+        reach = radius - 0.02
+        parts.append(rod(metal, (0, 0, 0.06), (reach * c, reach * s, 0.02), 0.02, end_radius=0.013, sides=8))
+        parts.append(disc(BLACK_PLASTIC, (reach * c, reach * s), 0.018, (0, 0.02)))
+    area = around(0, 2 * radius)
     return Build(body=parts, surfaces=[top_surface("seat", area, area, z, round=True)], front="any")
+
+
+def _folding_stool(spec: Spec) -> Build:
+    x, y, z = spec.size
+    cloth = spec.main(Finish(spec.style.accent.colour, "fabric"))
+    parts: list[Part] = [cushion(cloth, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.03, z), radius=0.012)]
+    for s in (-1, 1):
+        for turn, at in ((1, y / 2 - 0.014), (-1, y / 2 - 0.042)):
+            ends = ((turn * (x / 2 - 0.016), s * at, 0.0), (-turn * (x / 2 - 0.03), s * at, z - 0.03))
+            parts.append(rod(spec.style.wood, *ends, 0.013))
+    for turn, wide in ((1, y - 0.03), (-1, y - 0.09)):
+        at = turn * (x / 2 - 0.016 - 0.1 * (x - 0.046))
+        parts.append(cylinder(spec.style.wood, around(at, 0.018), around(0, wide), around(0.1 * z, 0.018), axis=1))
+    area = (around(0, x - 0.03), around(0, y - 0.03))
+    return Build(body=parts, surfaces=[top_surface("seat", *area, z)], front="two")
 
 
 def bar_stool(spec: Spec) -> Build:
     """Return a high seat: four legs, or a column on a foot with a low back."""
-    if spec.rng.random() < 0.5:
+    if spec.rng.random() < 0.5 or spec.has("swivel", "folding"):
         return stool(spec)
     x, y, z = spec.size
     seat = min(0.75, 0.86 * z) if not spec.has("backless") else z

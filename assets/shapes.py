@@ -195,6 +195,13 @@ def oval(x: float, y: float, *, sides: int = 40, squareness: float = 2.0) -> lis
     ]
 
 
+def polygon(x: float, y: float, count: int) -> list[Vec2]:
+    """Return the corners of a regular polygon stretched to full extents x, y, with sides across the x axis [m]."""
+    angles = [2 * pi * (k + 0.5) / count for k in range(count)]
+    wide, high = max(cos(a) for a in angles), max(sin(a) for a in angles)
+    return [(x / 2 * cos(a) / wide, y / 2 * sin(a) / high) for a in angles]
+
+
 def panel(finish: Finish, x: Range, y: Range, z: Range, bar: float, fill: Finish | None = None) -> list[Part]:
     """Return an upright frame of bars `bar` wide that faces x, filled with a thinner sheet when `fill` is given [m]."""
     parts = [

@@ -35,6 +35,8 @@ _SCALES: dict[str, Vec3] = {
 }
 
 
+OPEN = "open"
+"""What is said of a thing whose doors stand open."""
 UPRIGHT = "upright"
 """What is said of a long thing that stands on its end."""
 _SMALL_VARIED = 1.8
@@ -63,13 +65,18 @@ _PLACE, _ENDS = 0.62, 0.65
 """Length of a table for one at its side, who may have more at such tables, and for those at its ends [m]."""
 _SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
+POLYGONS = {"hexagonal": 6, "octagonal": 8}
+"""Words for a top with so many corners."""
+_OBLONG = frozenset({"oval", "rectangular"})
+_LONGER, _AS_LONG = 1.2, 1.35
+"""How many times as long as wide what is oval or oblong is at least, and is made where it usually is not."""
 _EVEN = frozenset({"round", "square", "circular"})
 """Words for what is as wide as it is deep, or on a wall as it is high."""
 
 
 def size_for(category: Category, words: frozenset[str], rng: np.random.Generator) -> Vec3:
     """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
-    size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
+    size = _variant(category, words)
     exact = size is not None
     x, y, z = size or category.size
     seated = _seated(category, size or category.size, people(words), words)
@@ -93,6 +100,15 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     return lain(category, size) if is_stood(category, words) else size
 
 
+def _variant(category: Category, words: frozenset[str]) -> Vec3 | None:
+    """The size that a word stands for; open doors take as much before any other form as before the usual one [m]."""
+    named = [word for word in sorted(words) if word in category.variants]
+    if len(named) > 1 and OPEN in named and OPEN in category.states:
+        x, y, z = category.variants[next(word for word in named if word != OPEN)]
+        return (x + category.variants[OPEN][0] - category.size[0], y, z)
+    return category.variants[named[0]] if named else None
+
+
 def is_stood(category: Category, words: Collection[str]) -> bool:
     """Whether a long thing that usually lies, and has no upright form of its own, is stood on its end."""
     return UPRIGHT in words and UPRIGHT not in category.variants and category.long_axis is not None
@@ -108,6 +124,11 @@ def lain(category: Category, size: Vec3) -> Vec3:
     """The extents of a long thing lying from those that it has on its end, and the other way round [m]."""
     x, y, z = size
     return (z, y, x) if category.long_axis == 0 else (x, z, y)
+
+
+def is_degree(word: str) -> bool:
+    """Whether a word says how large a thing is, as "small" and "long" do."""
+    return word in _SCALES
 
 
 def scale_of(words: Collection[str]) -> Vec3:
@@ -135,11 +156,14 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
 
 
 def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:
-    """Make the plan round or square where the words say so; of a wall thing they say that of its face."""
-    if category.mount == "wall" or not _EVEN & set(words):
+    """Make the plan round, square or oblong where words say so; of a wall thing they say that of its face."""
+    corners = next((count for word, count in POLYGONS.items() if word in words), 0)
+    if category.mount == "wall" or not (corners or (_EVEN | _OBLONG) & set(words)):
         return x, y
     side = float(np.sqrt(x * y))
-    return side, side
+    if not corners and not _EVEN & set(words):
+        return (x, y) if max(x, y) >= _LONGER * min(x, y) else (side / _AS_LONG**0.5, side * _AS_LONG**0.5)
+    return (side, side) if corners % 4 == 0 else (side, side / float(np.cos(np.pi / corners)))
 
 
 def _within(category: Category, size: Vec3) -> Vec3:

@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from thinkblox.assets.books import open_book, shut_book
 from thinkblox.assets.palette import (
     BRASS,
     BRIGHT,
@@ -34,21 +35,14 @@ from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec3
 
 
-def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
-    cover = min(0.003, 0.2 * (z[1] - z[0]))
-    return [
-        box(finish, x, y, (z[0], z[0] + cover)),
-        box(PAPER, (x[0] + 0.003, x[1] - 0.003), (y[0] + 0.004, y[1] - 0.003), (z[0] + cover, z[1] - cover)),
-        box(finish, x, (y[0], y[0] + 0.004), (z[0] + cover, z[1] - cover)),
-        box(finish, x, y, (z[1] - cover, z[1])),
-    ]
-
-
 def book(spec: Spec) -> Build:
-    """Return a closed book lying down; a notebook or magazine is a thinner one."""
+    """Return a closed book lying down, or an "open" one; a notebook or magazine is a thinner one."""
     x, y, z = spec.size
+    if spec.has("open"):
+        cover = spec.main(spec.choice(SPINES))
+        return Build(body=open_book(cover, spec.size))
     return Build(
-        body=_book(spec.main(spec.choice(SPINES)), (-x / 2, x / 2), (-y / 2, y / 2), (0, z)),
+        body=shut_book(spec.main(spec.choice(SPINES)), (-x / 2, x / 2), (-y / 2, y / 2), (0, z)),
         surfaces=[top_surface("cover", (-x / 2, x / 2), (-y / 2, y / 2), z)],
     )
 
@@ -61,7 +55,7 @@ def book_stack(spec: Spec) -> Build:
     for k in range(count):
         half = (x / 2 - 0.012 * (k % 3), y / 2 - 0.01 * ((k + 1) % 3))
         shift = (spec.between(-1, 1) * (x / 2 - half[0]), spec.between(-1, 1) * (y / 2 - half[1]))
-        body += _book(
+        body += shut_book(
             spec.choice(SPINES),
             (shift[0] - half[0], shift[0] + half[0]),
             (shift[1] - half[1], shift[1] + half[1]),

@@ -10,11 +10,13 @@ from thinkblox.assets.shapes import (
     frustum,
     leg,
     oval,
+    polygon,
     prism,
     rod,
     round_leg,
     top_surface,
 )
+from thinkblox.assets.sizing import POLYGONS
 from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2
 
@@ -27,10 +29,22 @@ def is_round(spec: Spec) -> bool:
     return spec.has("round", "circular", "oval")
 
 
+def corners_of(spec: Spec) -> int:
+    """How many corners a top has that is neither round nor four-cornered; 0 for any other."""
+    return next((count for word, count in POLYGONS.items() if spec.has(word)), 0)
+
+
+def _is_cut(spec: Spec) -> bool:
+    """Whether its top leaves the corners of its box free."""
+    return is_round(spec) or corners_of(spec) > 0
+
+
 def table_top(spec: Spec, finish: Finish, thickness: float) -> list[Part]:
     """Return the top, over the whole box, with a bevelled lower edge where it is thick enough."""
     x, y, z = spec.size
     finish = GLASS if spec.has("glass") else finish
+    if count := corners_of(spec):
+        return [prism(finish, polygon(x, y, count), (z - thickness, z))]
     if is_round(spec):
         if abs(x - y) < 1e-9:
             return [disc(finish, (0, 0), x / 2, (z - thickness, z))]
@@ -41,8 +55,9 @@ def table_top(spec: Spec, finish: Finish, thickness: float) -> list[Part]:
 def corner_legs(spec: Spec, finish: Finish, height: float, kind: str, inset: float) -> list[Part]:
     """Return four legs near the corners of the box, up to `height`."""
     x, y = spec.size[0] / 2 - inset, spec.size[1] / 2 - inset
-    if is_round(spec):
-        x, y = x * 0.72, y * 0.72
+    if _is_cut(spec):
+        inward = 0.64 if corners_of(spec) else 0.72
+        x, y = x * inward, y * inward
     width = min(0.07, 0.09 * min(spec.size[0], spec.size[1]) + 0.012)
     legs: list[Part] = []
     for sx, sy in ((1, 1), (1, -1), (-1, -1), (-1, 1)):
@@ -77,7 +92,9 @@ def _pedestal(spec: Spec, finish: Finish, height: float) -> list[Part]:
 
 def _top_area(spec: Spec) -> Build:
     x, y, z = spec.size
-    surface = top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z, round=is_round(spec))
+    if corners_of(spec):
+        x, y = min(x, y), min(x, y)
+    surface = top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z, round=_is_cut(spec))
     circular = is_round(spec) and abs(x - y) < 0.02
     return Build(surfaces=[surface], front="any" if circular else None)
 
@@ -95,7 +112,7 @@ def table(spec: Spec) -> Build:
     kind = spec.choice(("tapered", "square", "splayed"))
     legs = spec.wood if spec.rng.random() < 0.75 else spec.style.paint
     build.body += corner_legs(spec, legs, under, kind, inset)
-    if not is_round(spec):
+    if not _is_cut(spec):
         build.body += _apron(spec, legs, under, inset + 0.03)
     return build
 
@@ -108,7 +125,7 @@ def coffee_table(spec: Spec) -> Build:
     build.body = table_top(spec, MARBLE if marble else spec.wood, thickness)
     frame = spec.style.metal if marble or spec.rng.random() < 0.3 else spec.wood
     build.body += corner_legs(spec, frame, z - thickness, spec.choice(("tapered", "splayed", "square")), 0.05)
-    if not is_round(spec) and z > 0.3 and spec.rng.random() < 0.6 and not spec.has("open"):
+    if not _is_cut(spec) and z > 0.3 and spec.rng.random() < 0.6 and not spec.has("open"):
         area = ((-x / 2 + 0.085, x / 2 - 0.085), (-y / 2 + 0.085, y / 2 - 0.085))
         shelf = 0.3 * z
         bars = [
@@ -124,7 +141,7 @@ def side_table(spec: Spec) -> Build:
     """Return a small table beside a seat: on a pedestal when round, else with a shelf."""
     build, (_, _, z) = _top_area(spec), spec.size
     build.body = table_top(spec, spec.wood, 0.022)
-    if is_round(spec):
+    if _is_cut(spec):
         build.body += _pedestal(spec, spec.style.metal, z - 0.022)
     else:
         build.body += corner_legs(spec, spec.wood, z - 0.022, "tapered", 0.03)
@@ -220,9 +237,10 @@ def folding_table(spec: Spec) -> Build:
     """Return a light table on crossed tubes."""
     build, (x, y, z) = _top_area(spec), spec.size
     build.body = table_top(spec, spec.main(WHITE_PAINT), 0.03)
+    reach, apart = (x / 2 - 0.09, y / 2 - 0.16) if not _is_cut(spec) else (0.3 * x, 0.3 * y)
     for side in (-1, 1):
-        at = side * (y / 2 - 0.16)
-        ends: tuple[Vec2, Vec2] = ((-x / 2 + 0.09, x / 2 - 0.09), (x / 2 - 0.09, -x / 2 + 0.09))
+        at = side * apart
+        ends: tuple[Vec2, Vec2] = ((-reach, reach), (reach, -reach))
         for shift, (foot, head) in zip((-0.013, 0.013), ends, strict=True):
             build.body.append(rod(STEEL, (foot, at + shift, 0.012), (head, at + shift, z - 0.031), 0.011))
         for foot in ends[0]:

@@ -67,7 +67,7 @@ def microwave(spec: Spec) -> Build:
 
 
 def sink(spec: Spec) -> Build:
-    """Return a basin set into a worktop: a low rim about a dark bowl, and a tap."""
+    """Return a basin set into a worktop: a low rim about a dark bowl, two of them where it is "double", and a tap."""
     x, y, z = spec.size
     deep, floor = min(_RIM, 0.6 * z), 0.006
     rim = STEEL if spec.category == "sink" else spec.main(Finish((0.95, 0.95, 0.93), "ceramic"))
@@ -77,10 +77,16 @@ def sink(spec: Spec) -> Build:
         box(rim, (hollow[0][1], x / 2), (-y / 2, y / 2), (0, deep)),
         *(box(rim, hollow[0], (s * y / 2, s * (y / 2 - 0.04)), (0, deep)) for s in (-1, 1)),
         box(GREY_METAL, *hollow, (0, floor)),
-        disc(IRON, (0.03, 0), 0.03, (floor, floor + 0.003)),
     ]
+    bowls = [hollow[1]]
+    if spec.has("double"):
+        body.append(box(rim, hollow[0], around(0, 0.04), (floor, deep)))
+        bowls = [(hollow[1][0], -0.02), (0.02, hollow[1][1])]
+    body += [disc(IRON, (0.03, (low + high) / 2), 0.03, (floor, floor + 0.003)) for low, high in bowls]
     body += tap(-x / 2 + 0.05, deep, z)
-    return Build(body=body, surfaces=[inner_surface("basin", *hollow, floor)])
+    names = ("basin",) if len(bowls) == 1 else ("basin 1", "basin 2")
+    basins = [inner_surface(name, hollow[0], bowl, floor) for name, bowl in zip(names, bowls, strict=True)]
+    return Build(body=body, surfaces=basins)
 
 
 def tap(x: float, low: float, high: float) -> list[Part]:

@@ -1,11 +1,12 @@
 """What a brief asks for besides the usual: planned, placed by the expert, measured, and said in the last line."""
 
+import numpy as np
 import pytest
 
 from thinkblox import printing
-from thinkblox.assets.make import make_asset
+from thinkblox.assets.make import fit_asset, make_asset
 from thinkblox.assets.showing import realised
-from thinkblox.assets.states import shows_state
+from thinkblox.assets.states import shows_state, words_for
 from thinkblox.brief import Brief, OpeningRequest, Relation, RelationKind, Request
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
@@ -13,6 +14,7 @@ from thinkblox.headline import shortfalls
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan
 from thinkblox.planning import plan_brief
+from thinkblox.scene.corners import corners_of
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.verdict import Demand
 
@@ -127,7 +129,7 @@ def test_all_as_asked(name: str) -> None:
 
 SHORT = {
     "attribute": (brief(request("bathtub", unshown=("clawfoot",))), "not shown: clawfoot bathtub"),
-    "state": (brief(request("dishwasher", states=("open",))), "noted, not shown: open dishwasher"),
+    "state": (brief(request("dishwasher", states=("dirty",))), "noted, not shown: dirty dishwasher"),
     "carrying": (
         brief(request("desk", states=("empty",)), request("cup"), relation("on", "cup", "desk")),
         "noted, not shown: empty desk",
@@ -252,6 +254,39 @@ def test_opposite_walls_are_opposite() -> None:
         ("bookcase", "filled", True),
         ("bookcase", "empty", True),
         ("chair", "haunted", False),
+        ("mirror", "oval", True),
+        ("side_table", "oval", True),
+        ("wardrobe", "oval", False),
+        ("dining_table", "hexagonal", True),
+        ("coffee_table", "octagonal", True),
+        ("desk", "hexagonal", False),
+        ("side_table", "rectangular", True),
+        ("stool", "square", True),
+        ("chair", "folding", True),
+        ("stool", "folding", True),
+        ("wardrobe", "folding", False),
+        ("stool", "swivel", True),
+        ("bar_stool", "swivel", True),
+        ("plant_stand", "round", True),
+        ("stage_platform", "round", True),
+        ("hopscotch_mat", "round", True),
+        ("poker_table", "oval", True),
+        ("potted_plant", "ceramic", True),
+        ("potted_plant", "terracotta", True),
+        ("chair", "striped", True),
+        ("sofa", "dark", True),
+        ("vanity", "dark", True),
+        ("sink", "double", True),
+        ("laundry_sink", "double", True),
+        ("school_desk", "double", True),
+        ("school_desk", "single", True),
+        ("sofa", "single", False),
+        ("shelving_unit", "open", True),
+        ("wardrobe", "open", True),
+        ("dresser", "open", False),
+        ("waste_bin", "open", True),
+        ("washing_machine", "front-loading", True),
+        ("dishwasher", "front-loading", False),
     ],
 )
 def test_whether_an_attribute_is_seen(category: str, word: str, shown: bool) -> None:
@@ -284,6 +319,133 @@ def test_states_that_are_seen() -> None:
     assert shows_state(make_asset("picture", seed=1), "framed")
     assert not shows_state(make_asset("poster", seed=1), "framed")
     assert not shows_state(make_asset("bookcase", seed=1, attributes=("filled",)), "empty")
+
+
+@pytest.mark.parametrize("category", ["dining_table", "bookcase", "vanity"])
+def test_what_is_of_dark_wood_is_both(category: str) -> None:
+    for seed in range(4):
+        asset = make_asset(category, seed=seed, attributes=("dark", "wooden"))
+        assert [realised(asset, word) for word in ("dark", "wooden")] == [True, True]
+
+
+def test_a_double_sink_has_two_bowls() -> None:
+    bowls = [s for s in make_asset("sink", seed=1, attributes=("double",)).surfaces if s.within]
+    assert len(bowls) == 2
+    assert bowls[0].position[1] + bowls[0].size[1] / 2 < bowls[1].position[1] - bowls[1].size[1] / 2
+
+
+@pytest.mark.parametrize(("share", "shown"), [(1.0, True), (1.1, True), (1.5, False)])
+def test_a_small_table_that_was_made_larger_is_not_small(share: float, shown: bool) -> None:
+    small = make_asset("side_table", seed=3, attributes=("small",))
+    x, y, z = small.size
+    assert realised(fit_asset(small, (share * x, share * y, z)), "small") is shown
+
+
+def test_what_is_always_made_so_is_as_asked_though_it_is_no_look() -> None:
+    machines = request("washing_machine", 2, unshown=("front-loading", "haunted"))
+    found = {d.wanted: d.holds for d in made(brief(machines)).report.demands if d.kind == "attribute"}
+    assert found == {"front-loading": True, "haunted": False}
+
+
+@pytest.mark.parametrize(("category", "word"), [("dining_table", "oval"), ("mirror", "oval"), ("table", "hexagonal")])
+def test_what_is_of_another_outline_is_not_rectangular(category: str, word: str) -> None:
+    assert realised(make_asset(category, seed=3), "rectangular")
+    assert not realised(make_asset(category, seed=3, attributes=(word,)), "rectangular")
+
+
+@pytest.mark.parametrize("category", ["stool", "folding_table"])
+def test_the_legs_of_a_round_thing_stand_under_its_top(category: str) -> None:
+    asset = make_asset(category, seed=3, attributes=("round",))
+    points = np.vstack([corners_of(shape) for link in asset.links for shape in link.shapes])
+    assert np.hypot(points[:, 0], points[:, 1]).max() <= asset.size[0] / 2 + 0.003
+
+
+@pytest.mark.parametrize(
+    ("category", "state", "other"),
+    [
+        ("towels", "rolled up", "folded"),
+        ("book", "open", "closed"),
+        ("spell_book", "open", "closed"),
+        ("laptop", "closed", "open"),
+        ("wall_map", "framed", ""),
+        ("poster", "framed", ""),
+        ("toy_box", "opened", "closed"),
+        ("box", "empty", "closed"),
+        ("wardrobe", "open", "closed"),
+        ("fridge", "open", "shut"),
+        ("dishwasher", "open", "closed"),
+        ("locker", "open", "closed"),
+        ("safe", "open", "closed"),
+        ("cabinet", "open", "closed"),
+        ("washing_machine", "open", "closed"),
+    ],
+)
+def test_what_is_made_in_a_state_shows_it_and_no_other(category: str, state: str, other: str) -> None:
+    usual = make_asset(category, seed=1)
+    made_so = make_asset(category, seed=1, attributes=tuple(words_for(category, (state,))))
+    assert [shows_state(asset, state) for asset in (usual, made_so)] == [False, True]
+    assert not other or [shows_state(asset, other) for asset in (usual, made_so)] == [True, False]
+
+
+@pytest.mark.parametrize("words", [("open",), ("open", "four-door"), ("open", "single")])
+def test_open_doors_stand_before_what_they_close(words: tuple[str, ...]) -> None:
+    shut, opened = (make_asset("wardrobe", seed=4, attributes=said) for said in (words[1:], words))
+    assert opened.size[1:] == pytest.approx(shut.size[1:], abs=0.15)
+    assert opened.size[0] > shut.size[0] + 0.25
+    doors = [link for link in opened.links if link.joint is not None and link.joint.lower < 0.0]
+    assert 1 <= len(doors) <= 2
+    for door in doors:
+        points = np.vstack([corners_of(shape) for shape in door.shapes])
+        assert points[:, 0].max() == pytest.approx(opened.size[0] / 2, abs=0.02)
+    assert all(surface.position[0] < 0.0 for surface in opened.surfaces)
+    assert opened.mass == pytest.approx(shut.mass, rel=0.2)
+
+
+def test_an_open_dishwasher_stands_in_the_line_of_cabinets() -> None:
+    line = (request("dishwasher", states=("open",)), request("base_cabinet", 2))
+    generation = made(brief(*line, relation("next_to", "dishwasher", "base_cabinet"), room_type="kitchen"))
+    assert generation.report.complete
+    assert generation.report.valid
+
+
+@pytest.mark.parametrize(
+    ("category", "word", "seen"),
+    [
+        ("basket", "empty", True),
+        ("wall_shelf", "bare", True),
+        ("dining_table", "bare", True),
+        ("bed", "empty", True),
+        ("bed", "bare", False),
+        ("bottle", "empty", False),
+        ("bird_cage", "empty", False),
+        ("drying_rack", "empty", False),
+        ("box", "empty", False),
+        ("mirror", "empty", False),
+    ],
+)
+def test_only_what_has_a_place_for_things_is_seen_to_be_empty(category: str, word: str, seen: bool) -> None:
+    assert shows_state(make_asset(category, seed=1), word) is seen
+
+
+def state_of(generation: Generation, subject: str) -> Demand:
+    return next(d for d in generation.report.demands if d.kind == "state" and d.subject == subject)
+
+
+def test_what_lies_on_an_empty_table_is_counted() -> None:
+    table = request("dining_table", states=("bare",))
+    demand = state_of(made(brief(table)), "dining table")
+    assert (demand.holds, demand.measured) == (True, "0 in or on it")
+    laid = brief(table, request("bowl", 2), relation("on", "bowl", "dining_table"))
+    demand = state_of(made(laid), "dining table")
+    assert (demand.holds, demand.measured) == (False, "2 in or on it")
+
+
+def test_what_is_stacked_lies_on_another_of_its_kind() -> None:
+    boxes = (request("box"), request("box", key="other", states=("stacked",)))
+    demand = state_of(made(brief(*boxes, relation("on", "other", "box"))), "box")
+    assert (demand.holds, demand.measured) == (True, "1 of 1 on or under another one")
+    demand = state_of(made(brief(request("tyre", 2, states=("stacked",)))), "tyre")
+    assert (demand.holds, demand.measured) == (False, "0 of 2 on or under another one")
 
 
 def test_a_long_list_is_cut_short() -> None:

@@ -83,7 +83,8 @@ class Request(CheckedValue, frozen=True, kw_only=True):
         drawn: how large it is where the prompt leaves that open, as the seed has it.
         least, most: how many there may be, where the prompt leaves that open ("at least three"); `count` lies within.
         unshown: what the prompt says of it that no shape, colour or material of ours shows ("clawfoot", "tartan").
-        states: how the prompt wants to find it ("open", "folded", "rolled up"); noted, not shown.
+        states: how the prompt wants to find it ("open", "folded", "rolled up"); shown where a thing can be
+            made so, else noted.
     """
 
     key: Name

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.showing import realised
-from thinkblox.assets.states import shows_state
+from thinkblox.assets.states import EMPTY, STACKED, meant_by, shows_state
 from thinkblox.brief import Brief, Look, Measures, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_type
@@ -25,9 +25,6 @@ ROOM_SLACK = 0.05
 """The same for the sides of a room [m]."""
 AREA_SHARE = 0.03
 """The same for a room's floor, as a share."""
-_EMPTY = "empty"
-_TOPS = ("tables", "desks", "counters", "worktops", "beds", "seats")
-"""What carries things on top and has nothing inside that would not show."""
 _AXES = ("deep", "wide", "high")
 
 
@@ -75,23 +72,32 @@ def _of_request(scene: Scene, request: Request, placed: Sequence[Placement]) -> 
     for word in request.attributes:
         yield _attribute(noun, word, assets)
     for word in request.unshown:
-        says = "no shape, colour or material shows it"
-        yield Demand(kind="attribute", subject=noun, wanted=word, holds=False, measured=says)
+        shown = bool(assets) and all(shows_state(asset, word) for asset in assets)
+        says = "shown" if shown else "no shape, colour or material shows it"
+        yield Demand(kind="attribute", subject=noun, wanted=word, holds=shown, measured=says)
     for state in request.states:
-        shown = bool(assets) and all(shows_state(asset, state) for asset in assets)
-        shown = _is_bare(scene, placed) and shown | _has_top(request) if state == _EMPTY else shown
-        says = "that is how it is shown" if shown else "noted, not shown"
+        shown, says = _state(scene, state, placed)
         yield Demand(kind="state", subject=noun, wanted=state, holds=shown, measured=says)
 
 
-def _has_top(request: Request) -> bool:
-    """Whether all that it can have on it is seen there."""
-    return load_habits().is_in(request.category, *_TOPS)
+def _state(scene: Scene, state: str, placed: Sequence[Placement]) -> tuple[bool, str]:
+    """Whether all that is placed of a request is in a state, and what was measured."""
+    word = meant_by(state)
+    shown = bool(placed) and all(shows_state(scene.asset_of(p), state) for p in placed)
+    if word == EMPTY and shown:
+        ids = {p.id for p in placed}
+        held = sum(p.support in ids for p in scene.placements)
+        return not held, f"{held} in or on it" if len(placed) == 1 else f"{held} in or on them"
+    if word == STACKED and not shown and placed:
+        stacked = sum(_is_stacked(scene, one) for one in placed)
+        return stacked == len(placed), f"{stacked} of {len(placed)} on or under another one"
+    return shown, "that is how it is shown" if shown else "noted, not shown"
 
 
-def _is_bare(scene: Scene, placed: Sequence[Placement]) -> bool:
-    """Whether there are some of a thing, and nothing rests on any."""
-    return bool(placed) and {p.id for p in placed}.isdisjoint(p.support for p in scene.placements)
+def _is_stacked(scene: Scene, one: Placement) -> bool:
+    """Whether a thing rests on another of its kind, or carries one."""
+    alike = {p.id for p in scene.placements if p.category == one.category}
+    return one.support in alike or any(scene[id].support == one.id for id in alike)
 
 
 def _count(request: Request, noun: str, count: int) -> Demand:

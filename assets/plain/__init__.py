@@ -38,6 +38,8 @@ _HOLDING = {
     "rack": "tiered",
 }
 """The form that a solid has when it is told to hold others, by the shape."""
+_STATES: Mapping[str, tuple[str, ...]] = {"tome": ("open",)}
+"""In which states a solid can be made besides as usual, by the shape."""
 _GROUPS: Mapping[str, tuple[str, ...]] = {"shelves": ("tiered",)}
 """The groups of what has a shape, besides those of where it is kept."""
 _WORDS = 5
@@ -127,6 +129,7 @@ def _kind(shape: str, place: str, square: bool) -> Category:
         gaze=kept.gaze,
         row=kept.row,
         forms=_forms(shape),
+        states=_STATES.get(shape, ()),
     )
     _ = kind.places  # worked out once for all of them
     return kind

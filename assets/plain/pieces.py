@@ -1,11 +1,12 @@
 """Plain pieces that stand for furniture, machines and fixtures: each fills its box, in one finish with an accent."""
 
+from dataclasses import replace
 from itertools import pairwise
 from math import cos, pi, sin
 
 from thinkblox.assets.goods import is_filled, put_goods
 from thinkblox.assets.palette import BLACK_PLASTIC, GREY_METAL, IRON, SCREEN
-from thinkblox.assets.part import Build, Finish, Part, hull
+from thinkblox.assets.part import Build, Finish, Part, Range, hull
 from thinkblox.assets.shapes import (
     around,
     box,
@@ -80,29 +81,49 @@ def shelves(spec: Spec, main: Finish, accent: Finish) -> Build:
     return build
 
 
+def _is_round(spec: Spec) -> bool:
+    return spec.has("round", "circular", "oval")
+
+
+def _slab(spec: Spec, finish: Finish, share: float, z: Range, *, collide: bool = True) -> Part:
+    """A level slab over a share of both sides of the box, round or oval where words say so."""
+    x, y = share * spec.size[0], share * spec.size[1]
+    if not _is_round(spec):
+        return box(finish, around(0, x), around(0, y), z, collide=collide)
+    if abs(x - y) < 1e-9:
+        return disc(finish, (0, 0), x / 2, z, collide=collide)
+    return replace(prism(finish, oval(x, y), z, smooth=True), collide=collide)
+
+
+def _top(spec: Spec) -> Surface:
+    x, y, z = spec.size
+    return top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z, round=_is_round(spec))
+
+
 def stand(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a table: a top that carries, on four legs."""
+    """Return a table: a top that carries, on four legs; round or oval where words say so."""
     x, y, z = spec.size
     thick = min(0.04, 0.2 * z)
     post = min(0.06, 0.12 * min(x, y))
-    body: list[Part] = [box(spec.main(main), (-x / 2, x / 2), (-y / 2, y / 2), (z - thick, z))]
+    reach = 0.33 if _is_round(spec) else 0.46
+    body: list[Part] = [_slab(spec, spec.main(main), 1.0, (z - thick, z))]
     for s in (-1, 1):
         for t in (-1, 1):
-            corner = ((s * 0.46 * x, s * (0.46 * x - post)), (t * 0.46 * y, t * (0.46 * y - post)))
+            corner = ((s * reach * x, s * (reach * x - post)), (t * reach * y, t * (reach * y - post)))
             body.append(box(accent, *corner, (0, z - thick)))
-    return Build(body=body, surfaces=[top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)])
+    return Build(body=body, surfaces=[_top(spec)])
 
 
 def platform(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a solid body with a level top that carries, and a foot of the accent; on legs when "open"."""
+    """Return a solid body with a level top that carries, and a foot of the accent; on legs when "open".
+
+    It is round or oval where words say so.
+    """
     if spec.has("open"):
         return stand(spec, main, accent)
-    x, y, z = spec.size
-    body: list[Part] = [
-        box(accent, around(0, 0.96 * x), around(0, 0.96 * y), (0, 0.12 * z)),
-        box(spec.main(main), (-x / 2, x / 2), (-y / 2, y / 2), (0.12 * z, z)),
-    ]
-    return Build(body=body, surfaces=[top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)])
+    z = spec.size[2]
+    body = [_slab(spec, accent, 0.96, (0, 0.12 * z)), _slab(spec, spec.main(main), 1.0, (0.12 * z, z))]
+    return Build(body=body, surfaces=[_top(spec)])
 
 
 def seat(spec: Spec, main: Finish, accent: Finish) -> Build:
@@ -467,11 +488,7 @@ def robot(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def mat(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a flat covering that is walked on, with a border of the accent."""
-    x, y, z = spec.size
-    return Build(
-        body=[
-            box(accent, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.8 * z), collide=False),
-            box(spec.main(main), around(0, 0.88 * x), around(0, 0.88 * y), (0.2 * z, z), collide=False),
-        ]
-    )
+    """Return a flat covering that is walked on, with a border of the accent; round or oval where words say so."""
+    z = spec.size[2]
+    border = _slab(spec, accent, 1.0, (0, 0.8 * z), collide=False)
+    return Build(body=[border, _slab(spec, spec.main(main), 0.88, (0.2 * z, z), collide=False)])

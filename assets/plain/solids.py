@@ -2,6 +2,7 @@
 
 from math import cos, pi, sin
 
+from thinkblox.assets.books import open_book, shut_book
 from thinkblox.assets.part import Build, Finish, Part, hull
 from thinkblox.assets.shapes import (
     around,
@@ -49,6 +50,16 @@ def slab(spec: Spec, main: Finish, accent: Finish) -> Build:
     else:
         field = box(accent, (front - thin, x / 2), inner, (0.12 * z, 0.88 * z), collide=False)
     return Build(body=[body, field])
+
+
+def tome(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a book that lies, its title in the accent on its cover, or an "open" one."""
+    x, y, z = spec.size
+    if spec.has("open"):
+        return Build(body=open_book(spec.main(main), spec.size))
+    title = box(accent, around(0, 0.3 * x), around(0, 0.5 * y), (z - 0.0005, z + 0.0005), collide=False)
+    body = shut_book(spec.main(main), (-x / 2, x / 2), (-y / 2, y / 2), (0, z))
+    return Build(body=[*body, title], surfaces=[top_surface("cover", (-x / 2, x / 2), (-y / 2, y / 2), z)])
 
 
 def can(spec: Spec, main: Finish, accent: Finish) -> Build:

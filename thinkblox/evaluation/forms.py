@@ -38,6 +38,8 @@ def judged_form(body: Body, word: str, demanded: str) -> Judged:
         demanded: the category, whose ordinary size words of size are held against where the object's own is not known.
     """
     word = word.lower().replace("-", " ")
+    if word in _PLACES and not _is_bed(body, demanded):
+        return _for_so_many(body, word, demanded)
     if word in _FORMS:
         return _FORMS[word](body)
     if word in _SIZES:
@@ -252,10 +254,30 @@ _SIZES: dict[str, Callable[[Body, Ordinary], tuple[bool, str]]] = {
 }
 
 
-def _ordinary(body: Body, demanded: str) -> Ordinary | None:
-    """The ordinary size of what was demanded, or of the nearest kind above it."""
-    vocabulary, names = load_vocabulary(), (demanded, *names_of(body.asset.category, body.asset.description))
-    for name in names:
+_PLACES = ("double", "single")
+"""Words that say of beds how wide they are, and of a sink or a desk whether it is one for two."""
+_FOR_TWO = 1.25
+"""Times the ordinary length from which a thing is one for two."""
+
+
+def _is_bed(body: Body, demanded: str) -> bool:
+    names = (demanded, *names_of(body.asset.category, body.asset.description))
+    return any(load_vocabulary().steps(name, "bed") is not None for name in names)
+
+
+def _for_so_many(body: Body, word: str, demanded: str) -> Judged:
+    """Whether what is no bed is as long as one for two, or for one; None where its ordinary length is not known."""
+    ordinary = _ordinary(body, demanded, own=True)
+    if ordinary is None:
+        return None
+    long, usual = 2 * max(body.half), ordinary[1]
+    return (long >= _FOR_TWO * usual) == (word == "double"), f"{long:.2f} m long, ordinarily {usual:.2f}"
+
+
+def _ordinary(body: Body, demanded: str, *, own: bool = False) -> Ordinary | None:
+    """The ordinary size of what was demanded, or of the nearest kind above it; with `own` of the thing first."""
+    vocabulary, names = load_vocabulary(), [demanded, *names_of(body.asset.category, body.asset.description)]
+    for name in (*names[1:], demanded) if own else names:
         steps = {known: step for known in _sizes() if (step := vocabulary.steps(name, known)) is not None}
         if steps:
             return _sizes()[min(steps, key=lambda known: steps[known])]

@@ -11,6 +11,7 @@ from thinkblox.assets.facts import Role
 from thinkblox.assets.make import make_thing
 from thinkblox.assets.open_forms import FOR_LONG, TIERED
 from thinkblox.assets.sizing import UPRIGHT, is_stood, size_for, sizes_of
+from thinkblox.assets.states import words_for
 from thinkblox.brief import Measures
 from thinkblox.knowledge.things import is_surface
 from thinkblox.planning.members import Member, Members
@@ -77,7 +78,7 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
     forms = facts_of(member.category).forms
     found = [
         *(_form(member, members, r) for r in forms if roles[r]),
-        *(s for s in member.request.states if s in forms.values()),
+        *words_for(member.category, member.request.states),
     ]
     long = kind_of(member.category).long_axis is not None
     open_ones = (holder for holder in _holders(member, members) if not _holders(holder, members))
