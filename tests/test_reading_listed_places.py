@@ -61,8 +61,10 @@ def related(brief: Brief) -> set[str]:
             {"plant next_to desk", "plant next_to sofa"},
         ),
         (
-            "Three workbenches and two violins. The violins lie one apiece on the first and second "
-            "bench, while the third bench carries a cello.",
+            (
+                "Three workbenches and two violins. The violins lie one apiece on the first and second "
+                "bench, while the third bench carries a cello."
+            ),
             {"workbench": 1, "workbench-2": 1, "workbench-3": 1, "violin": 1, "violin-2": 1, "cello": 1},
             {"cello on workbench-3", "violin on workbench", "violin-2 on workbench-2"},
         ),
@@ -91,8 +93,10 @@ def test_at_each_of_those_that_are_listed(prompt: str, things: dict[str, int], r
             {"desk_lamp left_of monitor", "desk_lamp on desk", "monitor on desk"},
         ),
         (
-            "A desk. On the desk there is a monitor, and on the desk to its left and to its right are "
-            "two speakers, one on each side.",
+            (
+                "A desk. On the desk there is a monitor, and on the desk to its left and to its right are "
+                "two speakers, one on each side."
+            ),
             {"desk": 1, "monitor": 1, "speaker": 1, "speaker-2": 1},
             {
                 "monitor on desk",
@@ -179,8 +183,10 @@ def test_two_places_told_first(prompt: str, things: dict[str, int], relations: s
             {"sofa facing sofa-2"},
         ),
         (
-            "A desk. Lying on it: a stapler and three pens. Also on it is a red mug with a spoon in "
-            "it, to the left of the stapler.",
+            (
+                "A desk. Lying on it: a stapler and three pens. Also on it is a red mug with a spoon in "
+                "it, to the left of the stapler."
+            ),
             {"desk": 1, "stapler": 1, "pens": 3, "cup": 1, "spoon": 1},
             {"cup left_of stapler", "cup on desk", "pens on desk", "spoon inside cup", "stapler on desk"},
         ),
@@ -214,8 +220,10 @@ def test_told_after_the_name(prompt: str, things: dict[str, int], relations: set
             {"dumbbell inside shelving_unit", "foam_roller inside shelving_unit", "shelving_unit against_wall wall"},
         ),
         (
-            "A bed flanked by two nightstands. On each nightstand there is a lamp, and the left "
-            "nightstand also has a book on it.",
+            (
+                "A bed flanked by two nightstands. On each nightstand there is a lamp, and the left "
+                "nightstand also has a book on it."
+            ),
             {"bed": 1, "nightstand": 1, "nightstand-2": 1, "table_lamp": 2, "book": 1},
             {
                 "book on nightstand",
@@ -225,8 +233,10 @@ def test_told_after_the_name(prompt: str, things: dict[str, int], relations: set
             },
         ),
         (
-            "A round mirror flanked by two sconces. Under the console: two baskets. The left one has "
-            "three umbrellas in it; the right one is empty.",
+            (
+                "A round mirror flanked by two sconces. Under the console: two baskets. The left one has "
+                "three umbrellas in it; the right one is empty."
+            ),
             {
                 "mirror": 1,
                 "wall_lamp": 1,
@@ -259,8 +269,10 @@ def test_which_of_them(prompt: str, things: dict[str, int], relations: set[str])
     ("prompt", "things", "relations"),
     [
         (
-            "Two beds with a nightstand between them. On the nightstand is an alarm clock. Each bed "
-            "has one pillow and one stuffed animal on it.",
+            (
+                "Two beds with a nightstand between them. On the nightstand is an alarm clock. Each bed "
+                "has one pillow and one stuffed animal on it."
+            ),
             {"bed": 2, "nightstand": 1, "alarm_clock": 1, "pillow": 2, "stuffed_animal": 2},
             {"alarm_clock on nightstand", "nightstand between bed", "pillow on bed each", "stuffed_animal on bed each"},
         ),
@@ -270,8 +282,10 @@ def test_which_of_them(prompt: str, things: dict[str, int], relations: set[str])
             {"candle on dining_table each", "chair around dining_table each", "chair facing chair"},
         ),
         (
-            "Seven stools stand in front of the counter, and on the counter there are seven bowls, "
-            "each bowl with a pair of chopsticks and a spoon next to it.",
+            (
+                "Seven stools stand in front of the counter, and on the counter there are seven bowls, "
+                "each bowl with a pair of chopsticks and a spoon next to it."
+            ),
             {"bar_stool": 7, "counter": 1, "bowl": 7, "chopsticks": 7, "spoon": 7},
             {
                 "bar_stool in_front_of counter",
