@@ -464,3 +464,23 @@ def test_a_toilet_has_elbow_room_and_a_rug_at_two_beds_lies_between_them():
     done = room("A guest bedroom with two single beds, a nightstand between them and a rug under the beds.", 3)
     (one, other), (rug,) = of(done, "bed"), of(done, "rug")
     assert abs(one.to_local(rug.position[:2])[1] - one.to_local(other.position[:2])[1] / 2) < 0.1
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_what_something_hangs_above_stands_at_a_wall_that_has_a_place_for_it(seed: int):
+    done = room(
+        "A living room with a couch facing a television. The television is on a TV stand against the wall. "
+        "Two framed pictures hang on the wall above the couch.",
+        seed,
+    )
+    assert len(of(done, "picture")) == 2
+    assert all(measure(done.scene, "above", picture.id, ["sofa_1"]).holds for picture in of(done, "picture"))
+
+
+def test_a_lamp_over_what_is_high_is_as_short_as_it_can_be_made():
+    done = room(
+        "A garage of 7 m by 6 m with a car in the center. A fluorescent lamp hangs from the ceiling above the car."
+    )
+    (lamp,), (car,) = of(done, "fluorescent_lamp"), of(done, "car")
+    assert measure(done.scene, "above", lamp.id, [car.id]).holds
+    assert lamp.position[2] > car.top

@@ -245,6 +245,15 @@ def test_a_door_leaves_room_for_a_plant_in_each_corner() -> None:
             assert min(opening.offset, length - opening.offset - opening.width) >= 0.85, prompt
 
 
+def test_windows_of_a_garage_are_aside_of_its_gate_and_leave_the_back_wall_free() -> None:
+    brief = read_brief("A garage of 7 m by 6 m with a car. Against the back wall is a workbench with a pegboard above.")
+    room = plan_room(brief, rng=0)
+    (gate,) = (o.wall for o in room.openings if o.kind == "door")
+    windows = {o.wall for o in room.openings if o.kind == "window"}
+    assert windows
+    assert windows.isdisjoint((gate, (gate + 2) % 4))
+
+
 def test_walls_are_seen_from_the_door() -> None:
     plan = plan_of(
         "A bedroom with a bed against the far wall, a desk along the left wall and a plant in the near right corner."

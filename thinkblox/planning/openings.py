@@ -132,20 +132,21 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
         usual, panes = not type_.windowless, type_.panes
-        twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
+        twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO and not _hangs_above(brief)
         usually = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
         usually = 1 if _for_row(brief, room) else usually
         count = panes.count if panes and panes.count else usually
         if usual and type_.entered_at_end:
-            wanted += _along_sides(room, count)
+            wanted += _along_sides(brief, room, count)
         else:
             wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted
 
 
-def _along_sides(room: Room, count: int) -> list[_Wanted]:
-    """So many windows, shared out over the long walls, at equal distances in each."""
-    sides = [room.walls[i].name for i in _by_length(room, "long_wall")]
+def _along_sides(brief: Brief, room: Room, count: int) -> list[_Wanted]:
+    """So many windows, shared out over the long walls, or those aside of the door, at equal distances in each."""
+    long = [room.walls[i].name for i in _by_length(room, "long_wall")]
+    sides = ["right_wall", "left_wall"] if speaks_of_sides(brief) else long
     shares = {name: -(-(count - at) // len(sides)) for at, name in enumerate(sides)}
     return [_Wanted("window", name, index, share) for name, share in shares.items() for index in range(share)]
 
@@ -163,6 +164,13 @@ def _for_row(brief: Brief, room: Room) -> frozenset[int]:
     seats = [r for r in brief.requests if r.count >= _ROW and facts_of(r.category).is_in("seating")]
     rows = (hung.get(a) == r.count for r in seats for h in load_habits().of(r.category) for a in _looked_into(h))
     return frozenset(_by_length(room, "long_wall")) if any(rows) or rows_along_walls(brief) else frozenset()
+
+
+def _hangs_above(brief: Brief) -> bool:
+    """Whether something is asked to hang over what stands: a wall with a window has no place for it."""
+    mounts = {request.key: kind_of(request.category).mount for request in brief.requests}
+    above = (r for r in brief.relations if r.asked and r.kind == "above" and mounts.get(r.subject) == "wall")
+    return any(mounts.get(anchor) == "floor" for relation in above for anchor in relation.anchors)
 
 
 def _looked_into(habit: Habit) -> tuple[str, ...]:

@@ -29,6 +29,8 @@ HIDES, HIDDEN, NOT_WRITTEN_ON = 0.5, 2.0, 30.0
 """How far before a hung thing nothing of its height stands [m], and the cost of what does; before a board, of that."""
 OVER_HEADS, LEANS_OUT, UNDER_LEAVES = 30.0, 0.15, 0.4
 """Cost of a shelf over a bed or a seat, how far before it one is not to be either, and free height over a plant [m]."""
+AT_WALL, OFF_WALL = 0.15, 8.0
+"""So near a wall stands what something is to hang above on it [m], and the cost of standing farther off."""
 AGAINST_LIGHT = 1.2
 """Cost of a screen before a window, against whose light one looks."""
 FACES_LIGHT = 0.8
@@ -177,7 +179,9 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         on_wall = situation.kind(follower).mount == "wall" or WALL_MOUNTED in follower.attributes
         in_line = situation.facts.is_in("built_in_line") and facts_of(follower.category).is_in("over_run")
         hung_above = tie.kind == "above" and on_wall and not in_line
-        return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
+        if not hung_above:
+            return np.zeros(len(rects))
+        return _wall_behind_taken(situation, rects) + (_off_walls(situation, rects) if tie.asked else 0.0)
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]
     beside_it = facts_of(follower.category) if tie.kind in _AT_SIDE else None
@@ -198,6 +202,19 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
     """A window behind leaves nothing to hang something on."""
     tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
     return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
+
+
+def _off_walls(situation: Situation, rects: Rects) -> Array:
+    """No side is at a wall, on which something is asked to hang above it."""
+    nearest = np.full(len(rects), np.inf)
+    for wall in situation.room.walls:
+        inward, along = np.array(wall.inward), np.array(wall.along)
+        half = (np.abs(rects.axes @ inward) * rects.half).sum(-1)
+        away = (rects.centre - np.array(wall.start)) @ inward - half
+        beside = (rects.centre - np.array(wall.start)) @ along
+        before = (away > -TOUCH) & (beside > 0.0) & (beside < wall.length)
+        nearest = np.where(before, np.minimum(nearest, away), nearest)
+    return np.where(nearest > AT_WALL, OFF_WALL, 0.0)
 
 
 def _wall_below_taken(situation: Situation, rects: Rects) -> Array:

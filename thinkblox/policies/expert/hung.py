@@ -285,8 +285,10 @@ def _pendant(situation: Situation, anchor: Placement, *, index: int, count: int)
     drop = height - (anchor.top + PENDANT)
     size = situation.size
     clear = height - anchor.top - _CLEAR
+    sizes = situation.observation.sizes
+    least = min(clear, sizes[0][2]) if sizes else 0.0
     if 0.3 <= drop <= 2.0:
-        size = (size[0], size[1], round(drop, 3))
+        size = (size[0], size[1], round(max(drop, least), 3))
     elif drop < 0.3 and _SHORTEST <= clear < size[2]:
         size = (size[0], size[1], round(clear, 3))
     long = 1 if anchor.size[1] >= anchor.size[0] else 0
