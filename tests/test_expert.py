@@ -484,3 +484,10 @@ def test_a_lamp_over_what_is_high_is_as_short_as_it_can_be_made():
     (lamp,), (car,) = of(done, "fluorescent_lamp"), of(done, "car")
     assert measure(done.scene, "above", lamp.id, [car.id]).holds
     assert lamp.position[2] > car.top
+
+
+def test_two_that_hang_next_to_a_door_have_a_place_by_it_each():
+    done = room("A music studio with an upright piano. Two electric guitars hang on the wall next to the door.")
+    guitars = of(done, "wall_guitar")
+    assert len(guitars) == 2
+    assert all(measure(done.scene, "next_to", guitar.id, ["door"]).holds for guitar in guitars)

@@ -29,6 +29,8 @@ USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
 HEAD_ROOM = 1.5
 """What hangs lower than this over the floor is walked round [m]."""
+STACKED = 0.4
+"""Cost of hanging over or under another of several by a door or window, rather than beside it."""
 DRAPED = 0.2
 """How far drapes reach past a window, on either side [m]."""
 CEILING_STEP = 0.4
@@ -147,11 +149,20 @@ def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:
         elif kind == "under":
             spots = [(middle, opening.sill - size[2] - 0.1, 0.0)]
         else:
-            gaps = (0.15, 0.3, 0.45)
-            spots = [(middle + sign * (aside + gap), _height(situation), gap) for gap in gaps for sign in (1.0, -1.0)]
+            places = [(middle + sign * (aside + gap), gap) for gap in (0.12, 0.3, 0.45) for sign in (1.0, -1.0)]
+            spots = [(along, z, gap + dear) for along, gap in places for z, dear in _heights(situation)]
         for along, z, cost in spots:
-            if size[1] / 2 <= along <= wall.length - size[1] / 2 and z >= 0.0:
+            fits = 0.0 <= z <= situation.room.height - size[2]
+            if size[1] / 2 <= along <= wall.length - size[1] / 2 and fits:
                 yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=cost - 1.0)
+
+
+def _heights(situation: Situation) -> list[tuple[float, float]]:
+    """Heights of the base and what they cost: the usual, and for one of several over or under another there [m]."""
+    usual, apart = _height(situation), situation.size[2] + BETWEEN
+    if situation.target.count < 2:
+        return [(usual, 0.0)]
+    return [(usual, 0.0), (usual + apart, STACKED), (usual - apart, STACKED)]
 
 
 def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[tuple[float, Vec3 | None]]:

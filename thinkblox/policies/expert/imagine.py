@@ -117,6 +117,7 @@ def from_ties(situation: Situation) -> list[Idea]:
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     if any(tie.kind == "above" and situation.placed(tie.anchors) for tie in ties):
         ties = tuple(tie for tie in ties if tie.kind != "on" or tie.anchors not in (("wall",), ("ceiling",)))
+    ties = tuple(sorted(ties, key=lambda tie: tie.kind == "on" and tie.anchors == ("wall",)))
     if not situation.asset.collides:  # What stands on a rug decides where that lies, and then what it lies before.
         ties = tuple(sorted(ties, key=lambda tie: tie.kind != "under"))
     like = {t.id for t in _company(situation)}
