@@ -128,8 +128,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     if lined:
         ties = tuple(tie for tie in ties if tie.kind == "in_rows")
     seated_round = any(tie.kind == "around" for tie in ties)
-    paired = [] if lined or seated_round else list(partners.partner_ideas(situation))
     lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
+    paired = [] if lined or seated_round else list(partners.partner_ideas(situation, built=bool(lined_up)))
     lined_up += list(uppers.upper_ideas(situation)) if uppers.hangs_over_run(situation) else []
     lined_up += list(uppers.hood_ideas(situation))
     dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
