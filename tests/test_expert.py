@@ -491,3 +491,16 @@ def test_two_that_hang_next_to_a_door_have_a_place_by_it_each():
     guitars = of(done, "wall_guitar")
     assert len(guitars) == 2
     assert all(measure(done.scene, "next_to", guitar.id, ["door"]).holds for guitar in guitars)
+
+
+def test_a_small_thing_by_the_window_has_its_desk_there_or_stands_on_the_floor():
+    done = room(
+        "A study, 6.5 by 5 m, with a desk against the wall and a chair in front of it. A globe is near the window."
+    )
+    (globe,), (desk,) = of(done, "globe"), of(done, "desk")
+    assert globe.support == desk.id
+    assert measure(done.scene, "near", globe.id, ["window"]).holds
+    done = room("A study with a desk in the corner next to the door and a chair. A globe is near the window.")
+    (globe,) = of(done, "globe")
+    assert globe.support == "floor"
+    assert measure(done.scene, "near", globe.id, ["window"]).holds

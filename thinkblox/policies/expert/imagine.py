@@ -101,6 +101,8 @@ GATHERED = 1.0
 """Cost per metre from a low table to a lounge seat that stands by a wall instead of before the table."""
 OFF_CENTRE = 1.0
 """Cost per metre away from the middle of the room, besides the usual, of what is asked to be there."""
+OFF_USUAL = 5.0
+"""Cost of standing on the floor for what is usually carried, by what it is asked to be by: less than not to be there."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -136,8 +138,10 @@ def from_ties(situation: Situation) -> list[Idea]:
     paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
-    if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
-        ideas = [_dearer(idea, ELSEWHERE if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
+    carried = [tie for tie in ties if carries(tie) and situation.placed(tie.anchors)]
+    if situation.asset.mount == "surface" and carried:
+        down = ELSEWHERE if any(tie.asked for tie in carried) else OFF_USUAL
+        ideas = [_dearer(idea, down if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
