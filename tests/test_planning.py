@@ -386,3 +386,12 @@ def test_a_kitchen_called_by_its_shape_is_one_of_cabinets() -> None:
     assert brief.shape == "rectangle"
     assert {"base_cabinet", "sink", "hob", "fridge"} <= {request.category for request in varied(brief, 1).requests}
     assert 2.2 <= plan_room(read_brief("a galley kitchen"), rng=0).extent[1] <= 2.6
+
+
+def test_what_is_across_the_room_at_a_wall_each_is_not_too_far_away() -> None:
+    for seed in range(4):
+        brief = read_brief(
+            "A game room with a pool table in the center. Against one wall is an arcade machine. "
+            "A dartboard is hung on the wall across from the arcade machine."
+        )
+        assert min(plan_room(brief, rng=seed).extent) < 4.9
