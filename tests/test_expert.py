@@ -505,3 +505,16 @@ def test_a_small_thing_by_the_window_has_its_desk_there_or_stands_on_the_floor()
     )
     (globe,) = of(done, "globe")
     assert measure(done.scene, "near", globe.id, ["window"]).holds
+
+
+def test_a_sink_that_has_a_counter_for_itself_is_beside_what_it_is_asked_to_be_beside():
+    done = room(
+        "A laundry room with a washing machine, a dryer and a sink next to the dryer. "
+        "A cabinet hangs on the wall above the washing machine."
+    )
+    (sink,), (dryer,), (counter,) = of(done, "sink"), of(done, "dryer"), of(done, "counter")
+    assert sink.support == counter.id
+    assert gap(sink, dryer) < 0.5
+    assert counter.yaw == dryer.yaw
+    assert abs(dryer.to_local(counter.position[:2])[0]) < 0.1
+    assert counter.size[1] < 1.2

@@ -46,6 +46,18 @@ def _may_stand_elsewhere(upper: Member) -> bool:
     return any(tie.kind in _PLACED for tie in asked) and not any(map(carries, asked))
 
 
+def bring_along(members: Members) -> None:
+    """What is let into a counter that is only there for it is on the side of that by which it is asked to be."""
+    for member in members.all:
+        support = members.support(member) if facts_of(member.category).is_in("built_in") else None
+        if support is None or support.request.asked:
+            continue
+        for tie in [t for t in support.ties if t.asked and t.kind in _CLOSE and len(t.anchors) == 1]:
+            other = members.by_id.get(tie.anchors[0])
+            if other is not None and other.mount == "floor" and not members.depends(other, member):
+                bring_near(member, other)
+
+
 def carry_to_wall(members: Members) -> None:
     """What is only assumed to carry a thing stands at the very wall, or in the corner, where that is asked to be."""
     for member in members.all:

@@ -36,6 +36,8 @@ _WIDER = 2.0
 """How much wider than usual a basket, crate or bowl is made at most: more lies on what is in it."""
 _APART, _PACKED = 0.02, 1.3
 """Left about a thing in a basket [m], and how much wider than their areas together several are packed."""
+_WORKTOP = 0.2
+"""Worktop on either side of what is let into it [m]."""
 FULL_HEIGHT = "full-height"
 """What reaches from the floor to the ceiling."""
 _BELOW_CEILING = 0.04
@@ -64,7 +66,12 @@ def _needed(member: Member, members: Members, room_height: float) -> Measures:
             return (*across, height)
         if height is None and (smaller := size_under(member, members)):
             return smaller
-        depth, width = top_for_loads(member, members) or _for_boards(member, members, kind) or (None, None)
+        depth, width = (
+            _for_built_in(member, members, kind)
+            or top_for_loads(member, members)
+            or _for_boards(member, members, kind)
+            or (None, None)
+        )
     seats = None if any(member.request.size[:2]) else _for_seats(member, members, kind)
     return (
         depth,
@@ -121,6 +128,18 @@ def _beside_each_other(held: Sequence[Member], members: Members, side: float, he
         high = max(1, int(height / usual_size(alike[0], members)[2])) if piled else 1
         found += alike[: ceil(len(alike) / high)]
     return found
+
+
+def _for_built_in(member: Member, members: Members, kind: Category) -> tuple[None, float] | None:
+    """Width of a counter that nobody asked for and that is there for what is let into it alone."""
+    loads = on_it(member, members)
+    if member.request.asked or kind.is_in("built_in_line") or not all(_is_let_in(m) for m in loads) or not loads:
+        return None
+    return (None, round(sum(usual_size(m, members)[1] + 2 * _WORKTOP for m in loads), 3))
+
+
+def _is_let_in(member: Member) -> bool:
+    return load_habits().is_in(member.category, "built_in")
 
 
 def _for_boards(member: Member, members: Members, kind: Category) -> Vec2 | None:

@@ -316,8 +316,10 @@ def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
 
 
 def _is_of_kitchen(situation: Situation) -> bool:
-    """Whether a counter has a sink let into it, and what is built into a kitchen's run stands next to it."""
+    """Whether a counter is there for its sink, or has one, and what is built into a kitchen's run stands next to it."""
     own = situation.target.id
+    if situation.is_mere_worktop:
+        return True
     on = [t for t in situation.followers if any(tie.kind == "on" and own in tie.anchors for tie in t.ties)]
     beside = [t for t in situation.followers if any(tie.kind == "next_to" and own in tie.anchors for tie in t.ties)]
     sunk = any(facts_of(t.category).is_in("built_in") for t in on)
