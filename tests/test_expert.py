@@ -518,3 +518,23 @@ def test_a_sink_that_has_a_counter_for_itself_is_beside_what_it_is_asked_to_be_b
     assert counter.yaw == dryer.yaw
     assert abs(dryer.to_local(counter.position[:2])[0]) < 0.1
     assert counter.size[1] < 1.2
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A tailor's workshop, 5 m by 4.2 m, with nine fabric rolls in a shelf.", "fabric_roll", 9),
+        ("A bike workshop, 9 m by 7 m. A steel shelf holds twenty helmets.", "helmet", 20),
+    ],
+)
+def test_a_shelf_holds_all_that_is_asked_to_be_in_it(prompt: str, category: str, count: int):
+    done = room(prompt)
+    held = of(done, category)
+    assert len(held) == count
+    assert all(measure(done.scene, "inside", p.id, ["shelving_unit_1"]).holds for p in held)
+
+
+def test_a_shelf_grows_only_for_what_has_room_then():
+    few, many = (room(f"A bike workshop, 9 m by 7 m. A steel shelf holds {n} helmets.") for n in ("three", "twenty"))
+    (short,), (long,) = of(few, "shelving_unit"), of(many, "shelving_unit")
+    assert long.size[1] > short.size[1] + 0.15

@@ -306,7 +306,8 @@ def _free_half(plan: Vec2, surface: Surface, *, tight: bool = False) -> Vec2 | N
         return None
     if tight:
         over = 0.0 if surface.within or surface.round else SLIGHTLY_OVER
-        return (max(0.0, half[0]) + over, max(0.0, half[1]) + over)
+        aside = over if surface.headroom is None else 0.0  # A board below another has uprights at its ends.
+        return (max(0.0, half[0]) + over, max(0.0, half[1]) + aside)
     edge = CLOSE if surface.within and not surface.round else EDGE
     margin_x, margin_y = min(edge, max(0.0, half[0]) / 2), min(edge, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
