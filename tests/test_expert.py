@@ -538,3 +538,19 @@ def test_a_shelf_grows_only_for_what_has_room_then():
     few, many = (room(f"A bike workshop, 9 m by 7 m. A steel shelf holds {n} helmets.") for n in ("three", "twenty"))
     (short,), (long,) = of(few, "shelving_unit"), of(many, "shelving_unit")
     assert long.size[1] > short.size[1] + 0.15
+
+
+def test_large_things_leave_the_place_by_a_door_to_what_is_asked_to_be_there():
+    bed = Target(id="bed_1", category="bed", request="bed")
+    beside_it = Tie(kind="next_to", anchors=("door",))
+    locker = Target(id="wardrobe_1", category="wardrobe", request="wardrobe", ties=(beside_it,))
+    door = Opening(id="door_1", kind="door", wall=0, offset=0.2, width=0.9, height=2.1)
+    scene = Scene(prompt="", seed=0, room=rectangle(4.0, 4.0, openings=(door,)))
+    costs = []
+    for targets in ((bed,), (bed, locker)):
+        plan = Plan(brief=read_brief("A room with a chair."), targets=targets)
+        s = Situation(seen(scene, plan, bed, seed=1))
+        costs.append(follower_costs(s, boxes(s, (2.2, s.size[0] / 2 + 0.02, 90.0), (2.2, 3.98 - s.size[0] / 2, 270.0))))
+    alone, waited_for = costs
+    assert waited_for[0] > alone[0] + 5.0
+    assert waited_for[1] == alone[1]

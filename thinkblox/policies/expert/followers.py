@@ -1,5 +1,7 @@
 """Room for what comes later and refers to the object in question."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from thinkblox.assets import facts_of
@@ -13,7 +15,8 @@ from thinkblox.policies.expert.walls import VIEW_RANGE
 from thinkblox.scene.pairs import ACROSS
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.support import ON_FLOOR
-from thinkblox.scene.zones import beside, fewest
+from thinkblox.scene.zones import beside, fewest, joined
+from thinkblox.value import Vec3
 
 ABREAST = 0.15
 """Left between things that stand side by side [m]."""
@@ -31,6 +34,8 @@ OVER_HEADS, LEANS_OUT, UNDER_LEAVES = 30.0, 0.15, 0.4
 """Cost of a shelf over a bed or a seat, how far before it one is not to be either, and free height over a plant [m]."""
 AT_WALL, OFF_WALL = 0.15, 8.0
 """So near a wall stands what something is to hang above on it [m], and the cost of standing farther off."""
+BY_FRAME, NO_PLACE_BY = 0.05, 8.0
+"""Left between a door or window and what stands next to it [m], and the cost of taking its last place there."""
 AGAINST_LIGHT = 1.2
 """Cost of a screen before a window, against whose light one looks."""
 FACES_LIGHT = 0.8
@@ -50,6 +55,7 @@ def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects) + _room_beside(situation, rects) + _against_light(situation, rects)
     costs += _room_about_table(situation, rects) + _room_for_chain(situation, rects)
+    costs += _room_by_openings(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -156,6 +162,35 @@ def _room_for_chain(situation: Situation, rects: Rects) -> Array:
     splits = [(k * pitch, (others - k) * pitch) for k in range(others + 1)]
     ways = [_along(situation, rects, ("left", "right"), lengths) for lengths in splits]
     return np.asarray(np.min(ways, axis=0))
+
+
+def _room_by_openings(situation: Situation, rects: Rects) -> Array:
+    """What is asked to stand next to a door or a window later has a place by it."""
+    costs = np.zeros(len(rects))
+    plan, own = situation.observation.plan, situation.target.request
+    later = [t for t in plan.targets if t.id not in situation.scene and t.request != own]
+    for place in ("door", "window"):
+        by = [t for t in later for tie in t.ties if tie.asked and (tie.kind, tie.anchors) == ("next_to", (place,))]
+        sizes = [situation.kind(t).size for t in by if situation.kind(t).mount == "floor"]
+        zones = _free_by(situation, place, sizes) if sizes else Rects.of([])
+        if len(zones):
+            left = len(zones) - (overlap_depth(rects, zones) > TOUCH).sum(-1)
+            costs += NO_PLACE_BY * np.clip(min(len(sizes), len(zones)) - left, 0.0, None)
+    return costs
+
+
+def _free_by(situation: Situation, place: str, sizes: Sequence[Vec3]) -> Rects:
+    """The floor on either side of each door or window that is free for the widest of some things."""
+    room, (depth, width, height) = situation.room, (max(side) for side in zip(*sizes, strict=True))
+    rows = []
+    for opening in (o for o in room.openings if o.kind == place):
+        wall, reach = room.walls[opening.wall], width / 2 + BY_FRAME
+        sides = (opening.offset - reach, opening.offset + opening.width + reach)
+        places = (along for along in sides if width / 2 <= along <= wall.length - width / 2)
+        rows += [(wall.point(along, depth / 2), (depth, width), wall.yaw, 0.0, height) for along in places]
+    zones = Rects.of(rows)
+    blocked = overlap_depth(zones, joined([situation.solids, situation.door_zones])).max(-1, initial=0.0)
+    return zones.take(blocked <= TOUCH)
 
 
 def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: tuple[float, float]) -> Array:

@@ -102,7 +102,7 @@ GATHERED = 1.0
 OFF_CENTRE = 1.0
 """Cost per metre away from the middle of the room, besides the usual, of what is asked to be there."""
 OFF_USUAL = 5.0
-"""Cost of standing on the floor for what is usually carried, by what it is asked to be by: less than not to be there."""
+"""Cost of standing on the floor, by what it is asked to be by, for what is usually carried: that is better kept."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
