@@ -554,3 +554,11 @@ def test_large_things_leave_the_place_by_a_door_to_what_is_asked_to_be_there():
     alone, waited_for = costs
     assert waited_for[0] > alone[0] + 5.0
     assert waited_for[1] == alone[1]
+
+
+def test_a_tiny_cabin_has_all_that_is_asked_for():
+    done = room(
+        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall with a drawer unit under it and a wall lamp "
+        "above it, a small desk with a chair, a steel locker next to the door."
+    )
+    assert done.report.complete
