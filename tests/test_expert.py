@@ -558,7 +558,7 @@ def test_large_things_leave_the_place_by_a_door_to_what_is_asked_to_be_there():
 
 def test_a_tiny_cabin_has_all_that_is_asked_for():
     done = room(
-        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall with a drawer unit under it and a wall lamp "
-        "above it, a small desk with a chair, a steel locker next to the door."
+        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall with a drawer unit under it and a wall "
+        "lamp above it, a small desk with a chair, a steel locker next to the door."
     )
     assert done.report.complete
