@@ -562,3 +562,10 @@ def test_a_tiny_cabin_has_all_that_is_asked_for():
         "lamp above it, a small desk with a chair, a steel locker next to the door."
     )
     assert done.report.complete
+
+
+def test_small_things_near_a_door_lie_before_it_where_the_walls_are_full():
+    done = room("A gym, 9 by 6 m, with a barre on the wall. Five gym bags lie near the door.")
+    bags = of(done, "gym_bag")
+    assert len(bags) == 5
+    assert all(measure(done.scene, "near", bag.id, ["door"]).holds for bag in bags)

@@ -52,6 +52,8 @@ BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 AMID, AMID_INSTEAD = 2.0, 5.0
 """Cost of standing amid the room of what has no reason to, and of what belongs to a wall or into a corner."""
+LIES_ABOUT = 0.8
+"""Several things that are smaller than this may be on the floor before a door or window, and not at the walls [m]."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
 BEHIND_IT, IN_USE = 3.0, 6.0
 """Cost of standing behind or before what has a front, instead of beside it."""
@@ -387,6 +389,8 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     behind = walls.BEHIND if served else max(_seats_behind(situation), _room_behind(situation))
     candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
     candidates += walls.end_on_beside(situation, kind) if served else ()
+    if situation.target.count > 1 and max(situation.size) < LIES_ABOUT:
+        candidates += [replace(idea, cost=AMID) for idea in open_floor.grid(situation, step=0.2)]
     if kind == "window" and load_habits().tie(situation.target.category, "window") == "facing":
         candidates = [_dearer(idea, TURNED_AWAY) for idea in candidates]
         candidates += [_turned_round(idea) for idea in walls.clear_of_windows(situation, before)]
