@@ -569,3 +569,11 @@ def test_small_things_near_a_door_lie_before_it_where_the_walls_are_full():
     bags = of(done, "gym_bag")
     assert len(bags) == 5
     assert all(measure(done.scene, "near", bag.id, ["door"]).holds for bag in bags)
+
+
+def test_several_small_things_in_the_corner_are_in_one():
+    done = room("A storage room, 4 by 3 m, with three boxes in the corner.")
+    boxes_ = of(done, "box")
+    assert len(boxes_) == 3
+    assert all(measure(done.scene, "in_corner", p.id, ["corner"]).holds for p in boxes_)
+    assert max(gap(a, b) for a, b in combinations(boxes_, 2)) < 1.0

@@ -336,7 +336,28 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
             continue
         if _is_sat_round(situation):
             yield _out_of_corner(situation, idea)
-        yield idea
+        if tie.count > 1 and not tie.spread and max(situation.size) < LIES_ABOUT:
+            yield from _gathered(situation, idea)
+        else:
+            yield idea
+
+
+def _gathered(situation: Situation, flush: Idea) -> Iterator[Idea]:
+    """Several small things in a corner: side by side along its walls, all in the corner that the first has taken."""
+    apart = [math.dist(flush.position[:2], p.position[:2]) for p in situation.siblings]
+    elsewhere = spreading.ELSEWHERE if apart and min(apart) > NEAR else 0.0
+    wall = next((wall for wall in situation.room.walls if wall.name in flush.against), None)
+    if wall is None:
+        yield _dearer(flush, elsewhere)
+        return
+    along, out = wall.coordinates((flush.position[0], flush.position[1]))
+    _, (depth, width) = walls.oriented(situation.size, situation.asset.front)
+    way = 1.0 if along < wall.length / 2 else -1.0
+    for i, j in product(range(3), repeat=2):
+        x, y = wall.point(along + way * i * (width + SIDE_GAP), out + j * (depth + SIDE_GAP))
+        words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(flush.yaw))
+        beside_it = replace(flush, position=(x, y, 0.0), words=(flush.words[0], *words), against=())
+        yield _dearer(flush if i == j == 0 else beside_it, elsewhere + 0.3 * (i + j))
 
 
 def _over_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
