@@ -577,3 +577,24 @@ def test_several_small_things_in_the_corner_are_in_one():
     assert len(boxes_) == 3
     assert all(measure(done.scene, "in_corner", p.id, ["corner"]).holds for p in boxes_)
     assert max(gap(a, b) for a, b in combinations(boxes_, 2)) < 1.0
+
+
+def test_mirrors_over_basins_that_are_close_come_small_enough_for_one_each():
+    done = room("In the bathroom, against the wall is a vanity with two sinks on it. Above each sink hangs a mirror.")
+    basins, mirrors = of(done, "washbasin") or of(done, "sink"), of(done, "mirror")
+    assert len(basins) == len(mirrors) == 2
+    for basin in basins:
+        assert sum(measure(done.scene, "above", mirror.id, [basin.id]).holds for mirror in mirrors) == 1
+
+
+def test_a_mirror_over_what_is_high_comes_small_enough_for_the_wall_that_is_left():
+    scene = Scene(prompt="", seed=0, room=rectangle(4.0, 3.0, height=2.4))
+    high = make_asset("wardrobe", seed=1, size=(0.6, 1.2, 1.75))
+    scene = scene.with_placement(placed_at(scene, high, id="wardrobe_1", position=(2.0, 0.32, 0.0), yaw=90.0), high)
+    target = Target(
+        id="mirror_1", category="mirror", request="mirror", ties=(Tie(kind="above", anchors=("wardrobe_1",)),)
+    )
+    s = Situation(seen(scene, Plan(brief=read_brief("A room."), targets=(target,)), target, seed=1))
+    _, best = ranked(s, from_ties(s), np.random.default_rng(0))[0]
+    assert best.position[2] >= 1.75
+    assert best.position[2] + (best.size or s.size)[2] <= 2.4
