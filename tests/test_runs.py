@@ -73,11 +73,12 @@ def test_one_cooks_between_worktops_and_fetches_what_is_cold_past_the_sink() -> 
 
 
 def test_what_is_asked_to_stand_by_the_fridge_does_so_and_on_the_side_that_is_said() -> None:
-    by = member("hob", hot=True)._replace(beside=frozenset(("fridge", "sink")))
-    line = [slot.member.id for slot in best([RUN[0], by, RUN[2], *PLAIN]).slots]
+    hob = member("hob", hot=True)._replace(beside=frozenset(("fridge", "sink")))
+    line = [slot.member.id for slot in best([RUN[0], hob, RUN[2], *PLAIN]).slots]
     assert {line[line.index("hob") - 1], line[line.index("hob") + 1]} == {"fridge", "sink"}
-    for side, first in (("left_of", "fridge"), ("right_of", "hob")):
-        cold = RUN[2]._replace(beside=frozenset(("hob",)), **{side: frozenset(("hob",))})
+    by = frozenset(("hob",))
+    beside = RUN[2]._replace(beside=by)
+    for cold, first in ((beside._replace(left_of=by), "fridge"), (beside._replace(right_of=by), "hob")):
         line = [slot.member.id for slot in best([*RUN[:2], cold, *PLAIN]).slots]
         at = line.index(first)
         assert {*line[at : at + 2]} == {"fridge", "hob"}
