@@ -598,3 +598,16 @@ def test_a_mirror_over_what_is_high_comes_small_enough_for_the_wall_that_is_left
     _, best = ranked(s, from_ties(s), np.random.default_rng(0))[0]
     assert best.position[2] >= 1.75
     assert best.position[2] + (best.size or s.size)[2] <= 2.4
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A playroom with a basket containing three toys.", "toy", 3),
+        ("A bedroom with a basket holding four blankets.", "blanket", 4),
+    ],
+)
+def test_a_basket_holds_all_that_is_asked_to_be_in_it(prompt: str, category: str, count: int):
+    held = of(done := room(prompt), category)
+    assert len(held) == count
+    assert all(measure(done.scene, "inside", p.id, ["basket_1"]).holds for p in held)
