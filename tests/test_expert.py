@@ -464,3 +464,150 @@ def test_a_toilet_has_elbow_room_and_a_rug_at_two_beds_lies_between_them():
     done = room("A guest bedroom with two single beds, a nightstand between them and a rug under the beds.", 3)
     (one, other), (rug,) = of(done, "bed"), of(done, "rug")
     assert abs(one.to_local(rug.position[:2])[1] - one.to_local(other.position[:2])[1] / 2) < 0.1
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_what_something_hangs_above_stands_at_a_wall_that_has_a_place_for_it(seed: int):
+    done = room(
+        "A living room with a couch facing a television. The television is on a TV stand against the wall. "
+        "Two framed pictures hang on the wall above the couch.",
+        seed,
+    )
+    assert len(of(done, "picture")) == 2
+    assert all(measure(done.scene, "above", picture.id, ["sofa_1"]).holds for picture in of(done, "picture"))
+
+
+def test_a_lamp_over_what_is_high_is_as_short_as_it_can_be_made():
+    done = room(
+        "A garage of 7 m by 6 m with a car in the center. A fluorescent lamp hangs from the ceiling above the car."
+    )
+    (lamp,), (car,) = of(done, "fluorescent_lamp"), of(done, "car")
+    assert measure(done.scene, "above", lamp.id, [car.id]).holds
+    assert lamp.position[2] > car.top
+
+
+def test_two_that_hang_next_to_a_door_have_a_place_by_it_each():
+    done = room("A music studio with an upright piano. Two electric guitars hang on the wall next to the door.")
+    guitars = of(done, "wall_guitar")
+    assert len(guitars) == 2
+    assert all(measure(done.scene, "next_to", guitar.id, ["door"]).holds for guitar in guitars)
+
+
+def test_a_small_thing_by_the_window_has_its_desk_there_or_stands_on_the_floor():
+    done = room(
+        "A study, 6.5 by 5 m, with a desk against the wall and a chair in front of it. A globe is near the window."
+    )
+    (globe,), (desk,) = of(done, "globe"), of(done, "desk")
+    assert globe.support == desk.id
+    assert measure(done.scene, "near", globe.id, ["window"]).holds
+    done = room(
+        "A study, 6.5 by 5 m, with a desk in the corner next to the door and a chair. A globe is near the window."
+    )
+    (globe,) = of(done, "globe")
+    assert measure(done.scene, "near", globe.id, ["window"]).holds
+
+
+def test_a_sink_that_has_a_counter_for_itself_is_beside_what_it_is_asked_to_be_beside():
+    done = room(
+        "A laundry room with a washing machine, a dryer and a sink next to the dryer. "
+        "A cabinet hangs on the wall above the washing machine."
+    )
+    (sink,), (dryer,), (counter,) = of(done, "sink"), of(done, "dryer"), of(done, "counter")
+    assert sink.support == counter.id
+    assert gap(sink, dryer) < 0.5
+    assert counter.yaw == dryer.yaw
+    assert abs(dryer.to_local(counter.position[:2])[0]) < 0.1
+    assert counter.size[1] < 1.2
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A tailor's workshop, 5 m by 4.2 m, with nine fabric rolls in a shelf.", "fabric_roll", 9),
+        ("A bike workshop, 9 m by 7 m. A steel shelf holds twenty helmets.", "helmet", 20),
+    ],
+)
+def test_a_shelf_holds_all_that_is_asked_to_be_in_it(prompt: str, category: str, count: int):
+    done = room(prompt)
+    held = of(done, category)
+    assert len(held) == count
+    assert all(measure(done.scene, "inside", p.id, ["shelving_unit_1"]).holds for p in held)
+
+
+def test_a_shelf_grows_only_for_what_has_room_then():
+    few, many = (room(f"A bike workshop, 9 m by 7 m. A steel shelf holds {n} helmets.") for n in ("three", "twenty"))
+    (short,), (long,) = of(few, "shelving_unit"), of(many, "shelving_unit")
+    assert long.size[1] > short.size[1] + 0.15
+
+
+def test_large_things_leave_the_place_by_a_door_to_what_is_asked_to_be_there():
+    bed = Target(id="bed_1", category="bed", request="bed")
+    beside_it = Tie(kind="next_to", anchors=("door",))
+    locker = Target(id="wardrobe_1", category="wardrobe", request="wardrobe", ties=(beside_it,))
+    door = Opening(id="door_1", kind="door", wall=0, offset=0.2, width=0.9, height=2.1)
+    scene = Scene(prompt="", seed=0, room=rectangle(4.0, 4.0, openings=(door,)))
+    costs = []
+    for targets in ((bed,), (bed, locker)):
+        plan = Plan(brief=read_brief("A room with a chair."), targets=targets)
+        s = Situation(seen(scene, plan, bed, seed=1))
+        costs.append(follower_costs(s, boxes(s, (2.2, s.size[0] / 2 + 0.02, 90.0), (2.2, 3.98 - s.size[0] / 2, 270.0))))
+    alone, waited_for = costs
+    assert waited_for[0] > alone[0] + 5.0
+    assert waited_for[1] == alone[1]
+
+
+def test_a_tiny_cabin_has_all_that_is_asked_for():
+    done = room(
+        "Single cabin on a cargo ship, 2.2 m by 3 m: a bunk against the wall with a drawer unit under it and a wall "
+        "lamp above it, a small desk with a chair, a steel locker next to the door."
+    )
+    assert done.report.complete
+
+
+def test_small_things_near_a_door_lie_before_it_where_the_walls_are_full():
+    done = room("A gym, 9 by 6 m, with a barre on the wall. Five gym bags lie near the door.")
+    bags = of(done, "gym_bag")
+    assert len(bags) == 5
+    assert all(measure(done.scene, "near", bag.id, ["door"]).holds for bag in bags)
+
+
+def test_several_small_things_in_the_corner_are_in_one():
+    done = room("A storage room, 4 by 3 m, with three boxes in the corner.")
+    boxes_ = of(done, "box")
+    assert len(boxes_) == 3
+    assert all(measure(done.scene, "in_corner", p.id, ["corner"]).holds for p in boxes_)
+    assert max(gap(a, b) for a, b in combinations(boxes_, 2)) < 1.0
+
+
+def test_mirrors_over_basins_that_are_close_come_small_enough_for_one_each():
+    done = room("In the bathroom, against the wall is a vanity with two sinks on it. Above each sink hangs a mirror.")
+    basins, mirrors = of(done, "washbasin") or of(done, "sink"), of(done, "mirror")
+    assert len(basins) == len(mirrors) == 2
+    for basin in basins:
+        assert sum(measure(done.scene, "above", mirror.id, [basin.id]).holds for mirror in mirrors) == 1
+
+
+def test_a_mirror_over_what_is_high_comes_small_enough_for_the_wall_that_is_left():
+    scene = Scene(prompt="", seed=0, room=rectangle(4.0, 3.0, height=2.4))
+    high = make_asset("wardrobe", seed=1, size=(0.6, 1.2, 1.75))
+    scene = scene.with_placement(placed_at(scene, high, id="wardrobe_1", position=(2.0, 0.32, 0.0), yaw=90.0), high)
+    target = Target(
+        id="mirror_1", category="mirror", request="mirror", ties=(Tie(kind="above", anchors=("wardrobe_1",)),)
+    )
+    s = Situation(seen(scene, Plan(brief=read_brief("A room."), targets=(target,)), target, seed=1))
+    _, best = ranked(s, from_ties(s), np.random.default_rng(0))[0]
+    assert best.position[2] >= 1.75
+    assert best.position[2] + (best.size or s.size)[2] <= 2.4
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A playroom with a basket containing three toys.", "toy", 3),
+        ("A bedroom with a basket holding four blankets.", "blanket", 4),
+    ],
+)
+def test_a_basket_holds_all_that_is_asked_to_be_in_it(prompt: str, category: str, count: int):
+    held = of(done := room(prompt), category)
+    assert len(held) == count
+    assert all(measure(done.scene, "inside", p.id, ["basket_1"]).holds for p in held)

@@ -14,7 +14,7 @@ from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.plan import Plan
-from thinkblox.planning import plan_brief, plan_room
+from thinkblox.planning import plan_brief, plan_room, with_sizes
 from thinkblox.planning.variety import varied
 from thinkblox.reading import read_brief
 from thinkblox.reporting import relations_of
@@ -245,6 +245,15 @@ def test_a_door_leaves_room_for_a_plant_in_each_corner() -> None:
             assert min(opening.offset, length - opening.offset - opening.width) >= 0.85, prompt
 
 
+def test_windows_of_a_garage_are_aside_of_its_gate_and_leave_the_back_wall_free() -> None:
+    brief = read_brief("A garage of 7 m by 6 m with a car. Against the back wall is a workbench with a pegboard above.")
+    room = plan_room(brief, rng=0)
+    (gate,) = (o.wall for o in room.openings if o.kind == "door")
+    windows = {o.wall for o in room.openings if o.kind == "window"}
+    assert windows
+    assert windows.isdisjoint((gate, (gate + 2) % 4))
+
+
 def test_walls_are_seen_from_the_door() -> None:
     plan = plan_of(
         "A bedroom with a bed against the far wall, a desk along the left wall and a plant in the near right corner."
@@ -377,3 +386,20 @@ def test_a_kitchen_called_by_its_shape_is_one_of_cabinets() -> None:
     assert brief.shape == "rectangle"
     assert {"base_cabinet", "sink", "hob", "fridge"} <= {request.category for request in varied(brief, 1).requests}
     assert 2.2 <= plan_room(read_brief("a galley kitchen"), rng=0).extent[1] <= 2.6
+
+
+def test_what_is_across_the_room_at_a_wall_each_is_not_too_far_away() -> None:
+    for seed in range(4):
+        brief = read_brief(
+            "A game room with a pool table in the center. Against one wall is an arcade machine. "
+            "A dartboard is hung on the wall across from the arcade machine."
+        )
+        assert min(plan_room(brief, rng=seed).extent) < 4.9
+
+
+def test_furniture_is_small_in_a_room_whose_size_is_tight_for_it() -> None:
+    furniture = "a bed against the wall, a desk with a chair and a wardrobe next to the door."
+    cabins = (read_brief(f"A cabin, {size}: {furniture}") for size in ("2.2 m by 2.6 m", "6 m by 5 m"))
+    tight, wide = ([r.drawn[1] or 0.0 for r in with_sizes(brief, 0).requests] for brief in cabins)
+    assert all(small <= usual for small, usual in zip(tight, wide, strict=True))
+    assert sum(tight) < sum(wide)

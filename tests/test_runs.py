@@ -72,6 +72,28 @@ def test_one_cooks_between_worktops_and_fetches_what_is_cold_past_the_sink() -> 
     assert ways_cost([fridge, sink, a, hob, b]) == 0.0 < ways_cost([fridge, a, hob, b, sink])
 
 
+def test_what_is_asked_to_stand_by_the_fridge_does_so_and_on_the_side_that_is_said() -> None:
+    hob = member("hob", hot=True)._replace(beside=frozenset(("fridge", "sink")))
+    line = [slot.member.id for slot in best([RUN[0], hob, RUN[2], *PLAIN]).slots]
+    assert {line[line.index("hob") - 1], line[line.index("hob") + 1]} == {"fridge", "sink"}
+    by = frozenset(("hob",))
+    beside = RUN[2]._replace(beside=by)
+    for cold, first in ((beside._replace(left_of=by), "fridge"), (beside._replace(right_of=by), "hob")):
+        line = [slot.member.id for slot in best([*RUN[:2], cold, *PLAIN]).slots]
+        at = line.index(first)
+        assert {*line[at : at + 2]} == {"fridge", "hob"}
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_stove_between_fridge_and_dishwasher_has_its_hood(seed: int) -> None:
+    done = generate_room(
+        "This kitchen has a stove between a refrigerator and a dishwasher, all of them along one wall. "
+        "Mounted above the stove is a range hood.",
+        seed=seed,
+    )
+    assert all(relation.holds for relation in done.report.relations)
+
+
 @pytest.mark.parametrize(
     ("prompt", "corners", "least"),
     [

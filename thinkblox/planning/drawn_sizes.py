@@ -10,6 +10,7 @@ from thinkblox.assets.category import Category
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Measures, Request
 from thinkblox.planning.rooms import is_open
+from thinkblox.planning.tightness import is_tight
 
 _Range = tuple[float, float]
 _USUAL: tuple[_Range, _Range, _Range] = ((0.83, 1.2), (0.75, 1.32), (0.89, 1.14))
@@ -28,30 +29,34 @@ _SAID = 0.35
 """How much of that is left where words say how large it is ("a king bed", "a table for six")."""
 _CLOSE = 0.25
 """How much larger than usual things may be in a room of a given size, as a share of what they may be elsewhere."""
+_CARRYING = 0.9
+"""Times its ordinary size of what is to hold something in a room that is tight for all that it is to have."""
 _SALT = 3_000_017
 
 
 def with_sizes(brief: Brief, seed: int) -> Brief:
     """The brief with sizes for the furniture that it gives none; the same seed gives the same."""
-    close = not is_open(brief)
+    close, tight = not is_open(brief), is_tight(brief)
     carriers = {anchor for r in brief.relations if r.kind in _CARRIED and not r.negated for anchor in r.anchors}
-    requests = (replace(r, drawn=_drawn(r, seed, close=close, carries=r.key in carriers)) for r in brief.requests)
+    requests = (
+        replace(r, drawn=_drawn(r, seed, close=close, tight=tight, carries=r.key in carriers)) for r in brief.requests
+    )
     return replace(brief, requests=tuple(requests))
 
 
-def _drawn(request: Request, seed: int, *, close: bool, carries: bool) -> Measures:
+def _drawn(request: Request, seed: int, *, close: bool, tight: bool, carries: bool) -> Measures:
     kind = kind_of(request.category)
     if kind.mount != "floor" or kind.flat or not kind.variation or any(request.size) or kind.is_in("built_in_line"):
         return request.drawn
     rng = np.random.default_rng((seed, _SALT, crc32(request.category.encode())))
-    shares = rng.uniform(size=3)
+    shares = rng.uniform(size=3) * (not tight)
     words = frozenset(word.lower() for word in request.attributes)
     told = not words.isdisjoint(kind.variants) or any(not word.isalpha() for word in words)
     factors = [_factor(low, high, share, close=close) for (low, high), share in zip(_ranges(kind), shares, strict=True)]
     usual, plain = (size_for(kind, said, np.random.default_rng(0)) for said in (words, frozenset[str]()))
     if usual[0] == usual[1]:
         factors[1] = factors[0]
-    factors = [max(1.0, factor) for factor in factors] if carries else factors
+    factors = [max(_CARRYING if tight else 1.0, factor) for factor in factors] if carries else factors
     factors = [_as_said(factor, side, of) for factor, side, of in zip(factors, usual, plain, strict=True)]
     least, most = kind.size_range
     x, y, z = (

@@ -14,6 +14,7 @@ _CLOSE = ("next_to", "near", "left_of", "right_of")
 
 _PLACED = ("against_wall", "in_corner", "near")
 _AT_WALL = ("against_wall", "in_corner")
+_BY, _OPENINGS = ("near", "next_to"), (("window",), ("door",))
 _FURNITURE = ("surfaces", "tables", "desks", "counters", "worktops", "storage", "shelves", "beds", "seats", "seating")
 """What is turned by its own place and use, whatever is on it."""
 
@@ -45,6 +46,18 @@ def _may_stand_elsewhere(upper: Member) -> bool:
     return any(tie.kind in _PLACED for tie in asked) and not any(map(carries, asked))
 
 
+def bring_along(members: Members) -> None:
+    """What is let into a counter that is only there for it is on the side of that by which it is asked to be."""
+    for member in members.all:
+        support = members.support(member) if facts_of(member.category).is_in("built_in") else None
+        if support is None or support.request.asked:
+            continue
+        for tie in [t for t in support.ties if t.asked and t.kind in _CLOSE and len(t.anchors) == 1]:
+            other = members.by_id.get(tie.anchors[0])
+            if other is not None and other.mount == "floor" and not members.depends(other, member):
+                bring_near(member, other)
+
+
 def carry_to_wall(members: Members) -> None:
     """What is only assumed to carry a thing stands at the very wall, or in the corner, where that is asked to be."""
     for member in members.all:
@@ -55,6 +68,18 @@ def carry_to_wall(members: Members) -> None:
         if placed:
             kept = [tie for tie in support.ties if tie.kind not in _PLACED]
             support.ties[:] = [replace(placed[0], index=0, count=1, asked=False), *kept]
+
+
+def carry_to_opening(members: Members) -> None:
+    """What usually carries a thing stands by the window or door that this is asked to be by, where any wall will do."""
+    for member in members.all:
+        on = next((tie for tie in member.ties if carries(tie)), None)
+        support = members.support(member) if member.mount == "surface" and on and not on.asked else None
+        if support is None or support.mount != "floor" or support.request.count > 1:
+            continue
+        by = [tie for tie in member.ties if tie.asked and tie.kind in _BY and tie.anchors in _OPENINGS]
+        if by and all((tie.kind, tie.anchors) == ("against_wall", ("wall",)) for tie in support.ties):
+            support.ties.append(replace(by[0], index=0, count=1, asked=False))
 
 
 def turn_stands(members: Members) -> None:

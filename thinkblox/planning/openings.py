@@ -1,14 +1,14 @@
 """Where the doors and windows of a room go."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
 
 from thinkblox.assets import facts_of, kind_of
-from thinkblox.brief import Brief
+from thinkblox.brief import Brief, Request
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.knowledge.rooms import RoomType, room_type
 from thinkblox.planning.space import rows_along_walls
@@ -43,8 +43,8 @@ _ROW = 3
 _SHIFTS = (0.0, 0.0, -0.2, 0.2)
 """How far a window is off the middle of its stretch of wall, as a share of what that leaves free."""
 _BY_WINDOWS = ("next_to", "near", "left_of", "right_of")
-_VARIED, _ASIDE = 1.06, 0.12
-"""How much wider than usual a thing may come out, and how far it stands from the window and the corner together [m]."""
+_VARIED, _ASIDE = 1.06, 0.15
+"""How much wider than usual a thing may come out, and how far it is from the opening and the corner together [m]."""
 
 
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
@@ -54,7 +54,7 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
         rng,
         kind=room_type(brief.room_type),
         spared=_spared(brief, room) | _for_row(brief, room),
-        corner=_corner_distance(brief),
+        corners={"door": max(_corner_distance(brief), _beside_doors(brief)), "window": _corner_distance(brief)},
         beside=_beside_windows(brief),
     )
     for wanted in _wanted(brief, room, rng):
@@ -132,20 +132,21 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
         usual, panes = not type_.windowless, type_.panes
-        twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
+        twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO and not _hangs_above(brief)
         usually = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
         usually = 1 if _for_row(brief, room) else usually
         count = panes.count if panes and panes.count else usually
         if usual and type_.entered_at_end:
-            wanted += _along_sides(room, count)
+            wanted += _along_sides(brief, room, count)
         else:
             wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted
 
 
-def _along_sides(room: Room, count: int) -> list[_Wanted]:
-    """So many windows, shared out over the long walls, at equal distances in each."""
-    sides = [room.walls[i].name for i in _by_length(room, "long_wall")]
+def _along_sides(brief: Brief, room: Room, count: int) -> list[_Wanted]:
+    """So many windows, shared out over the long walls, or those aside of the door, at equal distances in each."""
+    long = [room.walls[i].name for i in _by_length(room, "long_wall")]
+    sides = ["right_wall", "left_wall"] if speaks_of_sides(brief) else long
     shares = {name: -(-(count - at) // len(sides)) for at, name in enumerate(sides)}
     return [_Wanted("window", name, index, share) for name, share in shares.items() for index in range(share)]
 
@@ -165,6 +166,13 @@ def _for_row(brief: Brief, room: Room) -> frozenset[int]:
     return frozenset(_by_length(room, "long_wall")) if any(rows) or rows_along_walls(brief) else frozenset()
 
 
+def _hangs_above(brief: Brief) -> bool:
+    """Whether something is asked to hang over what stands: a wall with a window has no place for it."""
+    mounts = {request.key: kind_of(request.category).mount for request in brief.requests}
+    above = (r for r in brief.relations if r.asked and r.kind == "above" and mounts.get(r.subject) == "wall")
+    return any(mounts.get(anchor) == "floor" for relation in above for anchor in relation.anchors)
+
+
 def _looked_into(habit: Habit) -> tuple[str, ...]:
     return habit.anchors if habit.kind == "in_front_of" and not habit.company else ()
 
@@ -181,12 +189,31 @@ def _corner_distance(brief: Brief) -> float:
     return _FILLED_CORNER if filled else _CORNER
 
 
+def _beside_doors(brief: Brief) -> float:
+    """Width of wall between a door and its corner for one of several that are asked to be next to a door [m].
+
+    One alone has its place on the other side.
+    """
+    by = _asked_by(brief, "door", ("next_to",))
+    return max(map(_width_of_wall, by)) if sum(request.count for request in by) > 1 else 0.0
+
+
 def _beside_windows(brief: Brief) -> float:
     """Width of wall that the widest of what is asked to stand by a window needs there, where it would darken it [m]."""
-    by = [r.subject for r in brief.relations if r.asked and "window" in r.anchors and r.kind in _BY_WINDOWS]
-    kinds = [kind_of(request.category) for request in brief.requests if request.key in by]
-    tall = [kind for kind in kinds if kind.mount == "floor" and kind.size[2] > _SILL]
-    return max((max(kind.size[:2]) * _VARIED + _ASIDE for kind in tall), default=0.0)
+    kinds = ((request, kind_of(request.category)) for request in _asked_by(brief, "window", _BY_WINDOWS))
+    tall = [request for request, kind in kinds if kind.mount == "floor" and kind.size[2] > _SILL]
+    return max(map(_width_of_wall, tall), default=0.0)
+
+
+def _asked_by(brief: Brief, place: str, kinds: tuple[str, ...]) -> list[Request]:
+    """What is asked to be by a door or a window."""
+    by = [r.subject for r in brief.relations if r.asked and place in r.anchors and r.kind in kinds]
+    return [request for request in brief.requests if request.key in by]
+
+
+def _width_of_wall(request: Request) -> float:
+    """How much wall one of a request needs between an opening and a corner [m]."""
+    return max(kind_of(request.category).size[:2]) * _VARIED + _ASIDE
 
 
 class _Openings:
@@ -199,14 +226,14 @@ class _Openings:
         *,
         kind: RoomType,
         spared: frozenset[int],
-        corner: float,
+        corners: Mapping[str, float],
         beside: float,
     ) -> None:
         self.kind = kind
         self.room = room
         self.rng = rng
         self.spared = spared
-        self.corner = corner
+        self.corners = corners
         self.beside = beside
         self.openings: list[Opening] = []
 
@@ -290,7 +317,7 @@ class _Openings:
     def _offset(self, wanted: _Wanted, index: int, width: float) -> float | None:
         """Near a corner for a door, in the middle of its share of the wall for a window [m]."""
         length = self.room.walls[index].length
-        gaps = [(a, b) for a, b in self._gaps(index, length) if b - a >= width]
+        gaps = [(a, b) for a, b in self._gaps(wanted.kind, index, length) if b - a >= width]
         if not gaps:
             return None
         if wanted.kind == "window":
@@ -316,9 +343,9 @@ class _Openings:
         doors = [walls[o.wall].point(o.offset + o.width / 2) for o in self.openings if o.kind == "door"]
         return min([_DOORS_APART, *(math.dist(walls[index].point(along), door) for door in doors)])
 
-    def _gaps(self, index: int, length: float) -> list[tuple[float, float]]:
+    def _gaps(self, kind: str, index: int, length: float) -> list[tuple[float, float]]:
         taken = sorted((o.offset, o.offset + o.width) for o in self.openings if o.wall == index)
-        corner = min(self.corner, max(_CORNER, (length - DOOR[0]) / 2.0))
+        corner = min(self.corners[kind], max(_CORNER, (length - DOOR[0]) / 2.0))
         starts = [corner, *(end + _CORNER for _, end in taken)]
         ends = [*(start - _CORNER for start, _ in taken), length - corner]
         return [(start, end) for start, end in zip(starts, ends, strict=True) if end > start]

@@ -12,7 +12,7 @@ from thinkblox.knowledge.things import counts_as, is_surface
 from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
-from thinkblox.planning.groups import carry_to_wall, count_off, lower, turn_stands
+from thinkblox.planning.groups import bring_along, carry_to_opening, carry_to_wall, count_off, lower, turn_stands
 from thinkblox.planning.implied import imply
 from thinkblox.planning.loads import words_of
 from thinkblox.planning.members import Member, Members
@@ -70,7 +70,9 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     seat_about(members)
     keep_views(members)
     lower(members)
+    bring_along(members)
     carry_to_wall(members)
+    carry_to_opening(members)
     turn_stands(members)
     count_off(members)
     _leave_middles(members)

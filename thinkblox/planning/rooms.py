@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import across_need, depth_need, needed_area, run_length, wall_needs
+from thinkblox.planning.space import across_limit, across_need, depth_need, needed_area, run_length, wall_needs
 from thinkblox.planning.walls import speaks_of_sides
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
@@ -33,6 +33,8 @@ _TO_RUN = 1.5
 """Length of a narrow room besides the runs along both of its walls, for the door at its end [m]."""
 _NOT_NARROWER = 0.6
 """Least proportion of a room that is longer for what is to be far apart in it."""
+_NARROWEST = 0.75
+"""Least shorter side of a room that is narrowed for what is across it, as a share of that of a square one."""
 _CLOSE_ROOMS = frozenset({"tiny", "small"})
 """What is said of rooms that do not grow."""
 
@@ -96,6 +98,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
         other = round(min(MAX_SIDE, max(_LEAST_SIDE, _NOT_NARROWER * given, area / given)), 1)
         return (given, other) if brief.width is not None else (other, given)
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
+    limit = max(across_limit(brief), round(_NARROWEST * math.sqrt(area), 1))
+    depth = min(depth, limit) if brief.area is None else depth
     width = round(min(MAX_SIDE, area / depth), digits)
     if kind.entrance is not None and speaks_of_sides(brief):
         width, depth = min(width, depth), max(width, depth)

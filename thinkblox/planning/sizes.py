@@ -34,8 +34,14 @@ _PLACE = 0.6
 _AXES = ("depth", "width", "height")
 _WIDER = 2.0
 """How much wider than usual a basket, crate or bowl is made at most: more lies on what is in it."""
+_LONGER = (1.0, 1.2, 1.4, 1.6)
+"""How much longer than usual shelves or a cabinet are made for what they hold, tried in turn."""
+_SMALLER, _CLOSE, _EXACT = 0.8, 0.004, 1e-6
+"""How small things may be on shelves, as a share of their usual size, and what is left between them [m]."""
 _APART, _PACKED = 0.02, 1.3
 """Left about a thing in a basket [m], and how much wider than their areas together several are packed."""
+_WORKTOP = 0.2
+"""Worktop on either side of what is let into it [m]."""
 FULL_HEIGHT = "full-height"
 """What reaches from the floor to the ceiling."""
 _BELOW_CEILING = 0.04
@@ -64,7 +70,12 @@ def _needed(member: Member, members: Members, room_height: float) -> Measures:
             return (*across, height)
         if height is None and (smaller := size_under(member, members)):
             return smaller
-        depth, width = top_for_loads(member, members) or _for_boards(member, members, kind) or (None, None)
+        depth, width = (
+            _for_built_in(member, members, kind)
+            or top_for_loads(member, members)
+            or _for_boards(member, members, kind)
+            or (None, None)
+        )
     seats = None if any(member.request.size[:2]) else _for_seats(member, members, kind)
     return (
         depth,
@@ -102,7 +113,8 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     inner = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.inner]
     bottoms = [s for s in inner if s.headroom is None]
     if not bottoms:
-        return None if kind.large else _for_tiers(inner, [usual_size(held, members) for held in inside], usual, kind)
+        held = [usual_size(m, members) for m in inside]
+        return _for_shelves(inner, held, usual, kind) if kind.large else _for_tiers(inner, held, usual, kind)
     side = min(bottoms[0].size)
     across = [width_of(held, members) for held in _beside_each_other(inside, members, side, usual[2])]
     needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
@@ -121,6 +133,18 @@ def _beside_each_other(held: Sequence[Member], members: Members, side: float, he
         high = max(1, int(height / usual_size(alike[0], members)[2])) if piled else 1
         found += alike[: ceil(len(alike) / high)]
     return found
+
+
+def _for_built_in(member: Member, members: Members, kind: Category) -> tuple[None, float] | None:
+    """Width of a counter that nobody asked for and that is there for what is let into it alone."""
+    loads = on_it(member, members)
+    if member.request.asked or kind.is_in("built_in_line") or not all(_is_let_in(m) for m in loads) or not loads:
+        return None
+    return (None, round(sum(usual_size(m, members)[1] + 2 * _WORKTOP for m in loads), 3))
+
+
+def _is_let_in(member: Member) -> bool:
+    return load_habits().is_in(member.category, "built_in")
 
 
 def _for_boards(member: Member, members: Members, kind: Category) -> Vec2 | None:
@@ -144,6 +168,27 @@ def _for_tiers(tiers: Sequence[Surface], held: Sequence[Vec3], usual: Vec3, kind
     needed = _PACKED * sum((x + _APART) * (y + _APART) for x, y, _ in held) / area
     share = min(needed, _WIDER, kind.size_range[1][1] / usual[1])
     return (usual[0], round(share * usual[1], 3)) if share > 1.0 else None
+
+
+def _for_shelves(tiers: Sequence[Surface], held: Sequence[Vec3], usual: Vec3, kind: Category) -> Vec2 | None:
+    """Depth and width of shelves or a cabinet that are longer than usual, as all that they hold has no room else."""
+    taken = {s: sum(1.0 / max(1, _room_on(tiers, s, size)) for size in held) for s in _LONGER}
+    share = min(_LONGER, key=lambda s: (max(1.0, taken[s]), s))
+    share = min(share, kind.size_range[1][1] / usual[1])
+    return (usual[0], round(share * usual[1], 3)) if share > 1.0 else None
+
+
+def _room_on(tiers: Sequence[Surface], longer: float, size: Vec3) -> int:
+    """How many things of a size, made smaller if need be, have room on boards that are so much longer."""
+    count = 0
+    for tier in tiers:
+        depth, width = tier.size[0], longer * tier.size[1]
+        share = min(_SMALLER, depth / min(size[:2]), (tier.headroom or size[2]) / size[2])
+        x, y = share * size[0] + _CLOSE, share * size[1] + _CLOSE
+        count += max(
+            int((depth + _CLOSE) / a + _EXACT) * int((width + _CLOSE) / b + _EXACT) for a, b in ((x, y), (y, x))
+        )
+    return count
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:

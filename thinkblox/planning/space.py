@@ -12,6 +12,7 @@ from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.asked import rows_for
 from thinkblox.planning.sizes import width_for_seats
 from thinkblox.planning.walls import COMPASS, SIDES
+from thinkblox.scene.pairs import ACROSS
 from thinkblox.value import Vec2, Vec3
 
 _DOOR_AREA = 1.6
@@ -145,6 +146,17 @@ def across_need(brief: Brief) -> float:
     if run := run_length(brief):
         needs.append(min(run + _GROWN, _LONG_RUN))
     return round(min(MAX_SIDE, max(needs)), 1)
+
+
+def across_limit(brief: Brief) -> float:
+    """Most that the shorter side of a room may be for what is asked to be across it, at a wall each [m]."""
+    requests = {request.key: request for request in brief.requests}
+    most = MAX_SIDE
+    for relation in (r for r in brief.relations if r.asked and r.kind == "opposite" and r.anchors):
+        pair = [requests[key] for key in (relation.subject, relation.anchors[0]) if key in requests]
+        if len(pair) == 2 and all(kind_of(r.category).mount == "wall" or _is_against_wall(brief, r) for r in pair):
+            most = min(most, sum(extent(each)[0] for each in pair) + ACROSS[1] - _BESIDE)
+    return round(most, 1)
 
 
 def rows_along_walls(brief: Brief) -> list[Request]:

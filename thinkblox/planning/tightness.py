@@ -25,10 +25,15 @@ def fitted(brief: Brief) -> Brief:
     """
     if is_open(brief) or brief.empty:
         return brief
-    area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0)
-    while area and furniture_area(brief) > _TIGHT * area and (less := relieved(brief)) is not None:
+    while is_tight(brief) and (less := relieved(brief)) is not None:
         brief = less
     return brief
+
+
+def is_tight(brief: Brief) -> bool:
+    """Whether a room has a size for which its things are too many, or too large."""
+    area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0)
+    return bool(area) and not is_open(brief) and furniture_area(brief) > _TIGHT * area
 
 
 def relieved(brief: Brief) -> Brief | None:

@@ -1,5 +1,7 @@
 """Room for what comes later and refers to the object in question."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from thinkblox.assets import facts_of
@@ -13,7 +15,8 @@ from thinkblox.policies.expert.walls import VIEW_RANGE
 from thinkblox.scene.pairs import ACROSS
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.support import ON_FLOOR
-from thinkblox.scene.zones import beside, fewest
+from thinkblox.scene.zones import beside, fewest, joined
+from thinkblox.value import Vec3
 
 ABREAST = 0.15
 """Left between things that stand side by side [m]."""
@@ -29,6 +32,10 @@ HIDES, HIDDEN, NOT_WRITTEN_ON = 0.5, 2.0, 30.0
 """How far before a hung thing nothing of its height stands [m], and the cost of what does; before a board, of that."""
 OVER_HEADS, LEANS_OUT, UNDER_LEAVES = 30.0, 0.15, 0.4
 """Cost of a shelf over a bed or a seat, how far before it one is not to be either, and free height over a plant [m]."""
+AT_WALL, OFF_WALL = 0.15, 8.0
+"""So near a wall stands what something is to hang above on it [m], and the cost of standing farther off."""
+BY_FRAME, NO_PLACE_BY = 0.05, 8.0
+"""Left between a door or window and what stands next to it [m], and the cost of taking its last place there."""
 AGAINST_LIGHT = 1.2
 """Cost of a screen before a window, against whose light one looks."""
 FACES_LIGHT = 0.8
@@ -48,6 +55,7 @@ def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects) + _room_beside(situation, rects) + _against_light(situation, rects)
     costs += _room_about_table(situation, rects) + _room_for_chain(situation, rects)
+    costs += _room_by_openings(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -156,6 +164,35 @@ def _room_for_chain(situation: Situation, rects: Rects) -> Array:
     return np.asarray(np.min(ways, axis=0))
 
 
+def _room_by_openings(situation: Situation, rects: Rects) -> Array:
+    """What is asked to stand next to a door or a window later has a place by it."""
+    costs = np.zeros(len(rects))
+    plan, own = situation.observation.plan, situation.target.request
+    later = [t for t in plan.targets if t.id not in situation.scene and t.request != own]
+    for place in ("door", "window"):
+        by = [t for t in later for tie in t.ties if tie.asked and (tie.kind, tie.anchors) == ("next_to", (place,))]
+        sizes = [situation.kind(t).size for t in by if situation.kind(t).mount == "floor"]
+        zones = _free_by(situation, place, sizes) if sizes else Rects.of([])
+        if len(zones):
+            left = len(zones) - (overlap_depth(rects, zones) > TOUCH).sum(-1)
+            costs += NO_PLACE_BY * np.clip(min(len(sizes), len(zones)) - left, 0.0, None)
+    return costs
+
+
+def _free_by(situation: Situation, place: str, sizes: Sequence[Vec3]) -> Rects:
+    """The floor on either side of each door or window that is free for the widest of some things."""
+    room, (depth, width, height) = situation.room, (max(side) for side in zip(*sizes, strict=True))
+    rows = []
+    for opening in (o for o in room.openings if o.kind == place):
+        wall, reach = room.walls[opening.wall], width / 2 + BY_FRAME
+        sides = (opening.offset - reach, opening.offset + opening.width + reach)
+        places = (along for along in sides if width / 2 <= along <= wall.length - width / 2)
+        rows += [(wall.point(along, depth / 2), (depth, width), wall.yaw, 0.0, height) for along in places]
+    zones = Rects.of(rows)
+    blocked = overlap_depth(zones, joined([situation.solids, situation.door_zones])).max(-1, initial=0.0)
+    return zones.take(blocked <= TOUCH)
+
+
 def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: tuple[float, float]) -> Array:
     """What is missing of two stretches of a run, one to each side."""
     costs = np.zeros(len(rects))
@@ -177,7 +214,9 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         on_wall = situation.kind(follower).mount == "wall" or WALL_MOUNTED in follower.attributes
         in_line = situation.facts.is_in("built_in_line") and facts_of(follower.category).is_in("over_run")
         hung_above = tie.kind == "above" and on_wall and not in_line
-        return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
+        if not hung_above:
+            return np.zeros(len(rects))
+        return _wall_behind_taken(situation, rects) + (_off_walls(situation, rects) if tie.asked else 0.0)
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]
     beside_it = facts_of(follower.category) if tie.kind in _AT_SIDE else None
@@ -198,6 +237,19 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
     """A window behind leaves nothing to hang something on."""
     tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
     return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
+
+
+def _off_walls(situation: Situation, rects: Rects) -> Array:
+    """No side is at a wall, on which something is asked to hang above it."""
+    nearest = np.full(len(rects), np.inf)
+    for wall in situation.room.walls:
+        inward, along = np.array(wall.inward), np.array(wall.along)
+        half = (np.abs(rects.axes @ inward) * rects.half).sum(-1)
+        away = (rects.centre - np.array(wall.start)) @ inward - half
+        beside = (rects.centre - np.array(wall.start)) @ along
+        before = (away > -TOUCH) & (beside > 0.0) & (beside < wall.length)
+        nearest = np.where(before, np.minimum(nearest, away), nearest)
+    return np.where(nearest > AT_WALL, OFF_WALL, 0.0)
 
 
 def _wall_below_taken(situation: Situation, rects: Rects) -> Array:

@@ -69,6 +69,8 @@ def used_costs(situation: Situation, rects: Rects) -> Array:
     """How much of the floor is missing that the object needs to be used; what is shallow is as needful as a way."""
     asset, costs = situation.asset, np.zeros(len(rects))
     for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
+        if use.sides == ("back",) and situation.is_mere_worktop:
+            continue
         zones = [beside(rects, side, use.depth) for side in use.sides]
         weight = 5.0 * max(1.0, SIDE_WAY / use.depth)
         missing = [zone_costs(situation, zone, weight=weight) + _promised(situation, zone) for zone in zones]

@@ -29,6 +29,10 @@ USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
 HEAD_ROOM = 1.5
 """What hangs lower than this over the floor is walked round [m]."""
+UNDER_CEILING = 1.0
+"""Cost of hanging smaller than it would over what is so high that the ceiling leaves no more."""
+STACKED = 0.4
+"""Cost of hanging over or under another of several by a door or window, rather than beside it."""
 DRAPED = 0.2
 """How far drapes reach past a window, on either side [m]."""
 CEILING_STEP = 0.4
@@ -147,11 +151,20 @@ def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:
         elif kind == "under":
             spots = [(middle, opening.sill - size[2] - 0.1, 0.0)]
         else:
-            gaps = (0.15, 0.3, 0.45)
-            spots = [(middle + sign * (aside + gap), _height(situation), gap) for gap in gaps for sign in (1.0, -1.0)]
+            places = [(middle + sign * (aside + gap), gap) for gap in (0.12, 0.3, 0.45) for sign in (1.0, -1.0)]
+            spots = [(along, z, gap + dear) for along, gap in places for z, dear in _heights(situation)]
         for along, z, cost in spots:
-            if size[1] / 2 <= along <= wall.length - size[1] / 2 and z >= 0.0:
+            fits = 0.0 <= z <= situation.room.height - size[2]
+            if size[1] / 2 <= along <= wall.length - size[1] / 2 and fits:
                 yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=cost - 1.0)
+
+
+def _heights(situation: Situation) -> list[tuple[float, float]]:
+    """Heights of the base and what they cost: the usual, and for one of several over or under another there [m]."""
+    usual, apart = _height(situation), situation.size[2] + BETWEEN
+    if situation.target.count < 2:
+        return [(usual, 0.0)]
+    return [(usual, 0.0), (usual + apart, STACKED), (usual - apart, STACKED)]
 
 
 def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[tuple[float, Vec3 | None]]:
@@ -181,6 +194,7 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
     gap = situation.facts.hanging.above
     columns = _columns(situation, anchor.size[1], count)
     share, pitch = _pitch(situation, anchor.size[1], columns)
+    share = min(share, _share_beside(situation, anchor)) if count == 1 else share
     size = None if share == 1.0 else scaled(situation.size, share)
     row, column = divmod(index, columns)
     abreast = min(columns, count - row * columns)
@@ -193,7 +207,14 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
             along += (column - (abreast - 1) / 2) * pitch * (-1.0 if turn_between(wall.yaw, anchor.yaw) > 90.0 else 1.0)
         for step, lift in enumerate((gap, gap + 0.1, gap + 0.3, gap / 2, 0.05)):
             z = max(top + lift, min(eye, top + lift + 0.35)) + higher
-            if z + situation.size[2] > situation.room.height - 0.02:
+            room = situation.room.height - 0.02 - z
+            if situation.size[2] > room:
+                low = (situation.room.height - 0.02 - top - lift - higher) / situation.size[2]
+                if SHRINK[-1] <= low < 1.0 and not any(situation.target.size):
+                    small = scaled(situation.size, low)
+                    cost = UNDER_CEILING + 1.5 * rank + 2.0 * (1.0 - low)
+                    why = f"it belongs over {anchor.id}, under the ceiling"
+                    yield hang(situation, wall, along, top + lift + higher, why=why, cost=cost, size=small)
                 continue
             half = (size or situation.size)[1] / 2
             beside_it = min(along, wall.length - along) - 0.01
@@ -205,6 +226,16 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
                 place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
                 cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)
                 yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost, size=size)
+
+
+def _share_beside(situation: Situation, anchor: Placement) -> float:
+    """At which share of its size it hangs beside another that hangs over the nearest of the anchor's like."""
+    plan = situation.observation.plan.targets
+    others = [t for t in plan if t.request == situation.target.request and t.id != situation.target.id]
+    over = {id for t in others for tie in t.ties if tie.kind == "above" for id in tie.anchors if id != anchor.id}
+    apart = [math.dist(p.position[:2], anchor.position[:2]) for p in situation.placed(tuple(over))]
+    share = (min(apart) - BETWEEN) / situation.size[1] if apart else 1.0
+    return 1.0 if any(situation.target.size) else min(1.0, max(SHRINK[-1], share))
 
 
 def _columns(situation: Situation, width: float, count: int) -> int:
@@ -285,8 +316,10 @@ def _pendant(situation: Situation, anchor: Placement, *, index: int, count: int)
     drop = height - (anchor.top + PENDANT)
     size = situation.size
     clear = height - anchor.top - _CLEAR
+    sizes = situation.observation.sizes
+    least = min(clear, sizes[0][2]) if sizes else 0.0
     if 0.3 <= drop <= 2.0:
-        size = (size[0], size[1], round(drop, 3))
+        size = (size[0], size[1], round(max(drop, least), 3))
     elif drop < 0.3 and _SHORTEST <= clear < size[2]:
         size = (size[0], size[1], round(clear, 3))
     long = 1 if anchor.size[1] >= anchor.size[0] else 0

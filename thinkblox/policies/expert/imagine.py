@@ -52,6 +52,8 @@ BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 AMID, AMID_INSTEAD = 2.0, 5.0
 """Cost of standing amid the room of what has no reason to, and of what belongs to a wall or into a corner."""
+LIES_ABOUT = 0.8
+"""Several things that are smaller than this may be on the floor before a door or window, and not at the walls [m]."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
 BEHIND_IT, IN_USE = 3.0, 6.0
 """Cost of standing behind or before what has a front, instead of beside it."""
@@ -101,6 +103,8 @@ GATHERED = 1.0
 """Cost per metre from a low table to a lounge seat that stands by a wall instead of before the table."""
 OFF_CENTRE = 1.0
 """Cost per metre away from the middle of the room, besides the usual, of what is asked to be there."""
+OFF_USUAL = 5.0
+"""Cost of standing on the floor, by what it is asked to be by, for what is usually carried: that is better kept."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -117,6 +121,7 @@ def from_ties(situation: Situation) -> list[Idea]:
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     if any(tie.kind == "above" and situation.placed(tie.anchors) for tie in ties):
         ties = tuple(tie for tie in ties if tie.kind != "on" or tie.anchors not in (("wall",), ("ceiling",)))
+    ties = tuple(sorted(ties, key=lambda tie: tie.kind == "on" and tie.anchors == ("wall",)))
     if not situation.asset.collides:  # What stands on a rug decides where that lies, and then what it lies before.
         ties = tuple(sorted(ties, key=lambda tie: tie.kind != "under"))
     like = {t.id for t in _company(situation)}
@@ -127,16 +132,18 @@ def from_ties(situation: Situation) -> list[Idea]:
     if lined:
         ties = tuple(tie for tie in ties if tie.kind == "in_rows")
     seated_round = any(tie.kind == "around" for tie in ties)
-    paired = [] if lined or seated_round else list(partners.partner_ideas(situation))
     lined_up = list(runs.run_ideas(situation)) if runs.is_built(situation) else []
+    paired = [] if lined or seated_round else list(partners.partner_ideas(situation, built=bool(lined_up)))
     lined_up += list(uppers.upper_ideas(situation)) if uppers.hangs_over_run(situation) else []
     lined_up += list(uppers.hood_ideas(situation))
     dear = OUT_OF_RUN if lined_up else UNPAIRED if paired else 0.0
     paired += lined_up
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     ideas += _receiving(situation)
-    if situation.asset.mount == "surface" and any(carries(tie) and situation.placed(tie.anchors) for tie in ties):
-        ideas = [_dearer(idea, ELSEWHERE if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
+    carried = [tie for tie in ties if carries(tie) and situation.placed(tie.anchors)]
+    if situation.asset.mount == "surface" and carried:
+        down = ELSEWHERE if any(tie.asked for tie in carried) else OFF_USUAL
+        ideas = [_dearer(idea, down if idea.position[2] <= ON_FLOOR else 0.0) for idea in ideas]
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
@@ -311,8 +318,10 @@ def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
 
 
 def _is_of_kitchen(situation: Situation) -> bool:
-    """Whether a counter has a sink let into it, and what is built into a kitchen's run stands next to it."""
+    """Whether a counter is there for its sink, or has one, and what is built into a kitchen's run stands next to it."""
     own = situation.target.id
+    if situation.is_mere_worktop:
+        return True
     on = [t for t in situation.followers if any(tie.kind == "on" and own in tie.anchors for tie in t.ties)]
     beside = [t for t in situation.followers if any(tie.kind == "next_to" and own in tie.anchors for tie in t.ties)]
     sunk = any(facts_of(t.category).is_in("built_in") for t in on)
@@ -327,7 +336,28 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
             continue
         if _is_sat_round(situation):
             yield _out_of_corner(situation, idea)
-        yield idea
+        if tie.count > 1 and not tie.spread and max(situation.size) < LIES_ABOUT:
+            yield from _gathered(situation, idea)
+        else:
+            yield idea
+
+
+def _gathered(situation: Situation, flush: Idea) -> Iterator[Idea]:
+    """Several small things in a corner: side by side along its walls, all in the corner that the first has taken."""
+    apart = [math.dist(flush.position[:2], p.position[:2]) for p in situation.siblings]
+    elsewhere = spreading.ELSEWHERE if apart and min(apart) > NEAR else 0.0
+    wall = next((wall for wall in situation.room.walls if wall.name in flush.against), None)
+    if wall is None:
+        yield _dearer(flush, elsewhere)
+        return
+    along, out = wall.coordinates((flush.position[0], flush.position[1]))
+    _, (depth, width) = walls.oriented(situation.size, situation.asset.front)
+    way = 1.0 if along < wall.length / 2 else -1.0
+    for i, j in product(range(3), repeat=2):
+        x, y = wall.point(along + way * i * (width + SIDE_GAP), out + j * (depth + SIDE_GAP))
+        words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(flush.yaw))
+        beside_it = replace(flush, position=(x, y, 0.0), words=(flush.words[0], *words), against=())
+        yield _dearer(flush if i == j == 0 else beside_it, elsewhere + 0.3 * (i + j))
 
 
 def _over_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
@@ -380,6 +410,8 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     behind = walls.BEHIND if served else max(_seats_behind(situation), _room_behind(situation))
     candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
     candidates += walls.end_on_beside(situation, kind) if served else ()
+    if situation.target.count > 1 and max(situation.size) < LIES_ABOUT:
+        candidates += [replace(idea, cost=AMID) for idea in open_floor.grid(situation, step=0.2)]
     if kind == "window" and load_habits().tie(situation.target.category, "window") == "facing":
         candidates = [_dearer(idea, TURNED_AWAY) for idea in candidates]
         candidates += [_turned_round(idea) for idea in walls.clear_of_windows(situation, before)]

@@ -18,9 +18,14 @@ PARTED, IN_LINE = 12.0, 4.0
 """Cost per metre that is missing beside the first of a pair, as the second stands across the room then; in a run."""
 
 
-def partner_ideas(situation: Situation) -> Iterator[Idea]:
-    """Beside a placed partner, or before it where the two look at each other, with room for what comes between."""
+def partner_ideas(situation: Situation, *, built: bool = False) -> Iterator[Idea]:
+    """Beside a placed partner, or before it where the two look at each other, with room for what comes between.
+
+    Where the target is `built` in one line, what is of that has its place there.
+    """
     for later, partner in _shared(situation):
+        if built and situation.in_run(later):
+            continue
         size = situation.kind(later).size
         looking = partner.id in _looked_at(situation.target)
         if looking or situation.target.id in _looked_at_by(situation, partner):

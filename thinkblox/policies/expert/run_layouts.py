@@ -17,6 +17,7 @@ from thinkblox.policies.expert.run_orders import (
     Line,
     RunMember,
     ends,
+    neighbours_cost,
     order_cost,
     orders,
     ways_cost,
@@ -86,9 +87,9 @@ def layouts(room: Room, members: Sequence[RunMember], meant: str) -> Iterator[Ru
     depth = max((m.size[0] for m in members if not m.corner), default=0.6) + WALL_GAP
     height = max((m.size[2] for m in low), default=TALL)
     free = [stretches(room, number, depth=depth, height=height) for number in range(len(room.walls))]
-    for rank, ((order, dear), (first, last)) in enumerate(product(orders(low), ends(tall))):
+    for rank, ((order, dear), (first, last)) in enumerate(product(orders(low, tall), ends(tall))):
         line = [*first, *order, *last]
-        dear += ways_cost(line)
+        dear += ways_cost(line) + neighbours_cost(line)
         if corners:
             for layout in _round_corners(room, free, line, corners):
                 yield layout

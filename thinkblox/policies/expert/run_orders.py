@@ -10,7 +10,7 @@ from thinkblox.value import Vec3
 
 TALL = 1.2
 """What is higher than this stands at an end of the run [m]."""
-HOT_BY_WET, NO_WORKTOP, APPLIANCES, PARTED = 3.0, 1.0, 0.5, 4.0
+HOT_BY_WET, NO_WORKTOP, APPLIANCES, PARTED = 3.0, 1.0, 0.5, 8.0
 """Costs of a hob beside a sink, of one with no worktop at a side, of two appliances side by side, and of parting two
 that are asked to be side by side."""
 WASHED_UP = 0.1
@@ -35,6 +35,8 @@ class RunMember(NamedTuple):
         hot: whether one cooks on it; no window is above that, and no water beside.
         wet: whether a sink is built into it.
         beside: those that it is asked to stand beside.
+        left_of: those of them to whose left it is asked to be.
+        right_of: the same for their right.
         corner: whether it fills a corner that the run goes round.
         open: whether its width follows from the wall.
     """
@@ -47,6 +49,8 @@ class RunMember(NamedTuple):
     hot: bool = False
     wet: bool = False
     beside: frozenset[str] = frozenset()
+    left_of: frozenset[str] = frozenset()
+    right_of: frozenset[str] = frozenset()
     corner: bool = False
     open: bool = False
 
@@ -69,14 +73,19 @@ class RunMember(NamedTuple):
 Line = list[RunMember]
 
 
-def orders(low: Line) -> list[tuple[Line, float]]:
-    """The best ways to line up what is low, seen from either end, with what each costs; some stay in turn."""
-    return [([*line], cost) for line, cost in _orders(tuple(low))]
+def orders(low: Line, tall: Line) -> list[tuple[Line, float]]:
+    """The best ways to line up what is low, seen from either end, with what each costs; some stay in turn.
+
+    What is asked to be beside what is tall stands at an end.
+    """
+    named = {id for member in tall for id in member.beside}
+    last = frozenset(m.id for m in low if m.id in named or any(member.id in m.beside for member in tall))
+    return [([*line], cost) for line, cost in _orders(tuple(low), last)]
 
 
 @lru_cache(maxsize=64)
-def _orders(members: tuple[RunMember, ...]) -> tuple[tuple[Line, float], ...]:
-    """The same; every thing of a run asks for it again."""
+def _orders(members: tuple[RunMember, ...], last: frozenset[str]) -> tuple[tuple[Line, float], ...]:
+    """The same, with some at an end; every thing of a run asks for it again."""
     low = list(members)
     plain = _in_turn(low)
     special = [m for m in low if m not in plain]
@@ -85,7 +94,7 @@ def _orders(members: tuple[RunMember, ...]) -> tuple[tuple[Line, float], ...]:
         at = dict(zip(places, special, strict=True))
         rest = iter(plain)
         line = [at[n] if n in at else next(rest) for n in range(len(low))]
-        found.append((order_cost(line), line))
+        found.append((order_cost(line) + PARTED * sum(m.id in last for m in line[1:-1]), line))
     found.sort(key=lambda pair: pair[0])
     least = found[0][0] if found else 0.0
     best = found[:ORDERS] or [(0.0, [])]
@@ -132,6 +141,17 @@ def ways_cost(line: Line) -> float:
         return 0.0
     cold = at["is_tall"][0]
     return HOT_BY_COLD * (min(abs(n - cold) for n in at["hot"]) < min(abs(n - cold) for n in at["wet"]))
+
+
+def neighbours_cost(line: Line) -> float:
+    """What it costs that something tall is not beside what it is asked to be, and that any is on its wrong side."""
+    at = {member.id: n for n, member in enumerate(line)}
+    pairs = {frozenset((m.id, other)) for m in line for other in m.beside if other in at and other != m.id}
+    tall = ([at[id] for id in pair] for pair in pairs if any(line[at[id]].is_tall for id in pair))
+    parted = sum(max(places) - min(places) > 1 for places in tall)
+    wrong = sum(at[other] < n for n, m in enumerate(line) for other in m.left_of if other in at)
+    wrong += sum(at[other] > n for n, m in enumerate(line) for other in m.right_of if other in at)
+    return PARTED * (parted + wrong)
 
 
 def ends(tall: Line) -> list[tuple[Line, Line]]:

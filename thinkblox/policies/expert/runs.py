@@ -123,12 +123,19 @@ def _members(situation: Situation) -> list[RunMember]:
             any(tie.kind in BY_WINDOW and tie.anchors == ("window",) for tie in t.ties),
             hot=facts_of(on.get(t.id, t.category)).is_in("clear_above"),
             wet=t.id in on and not facts_of(on[t.id]).is_in("clear_above"),
-            beside=frozenset(a for tie in t.ties if tie.asked and tie.kind in NEXT_TO for a in tie.anchors),
+            beside=_asked_by(t, *NEXT_TO),
+            left_of=_asked_by(t, "left_of"),
+            right_of=_asked_by(t, "right_of"),
             corner=facts_of(t.category).is_in("fills_corner"),
             open=t.id not in on and _is_open(situation, t),
         )
         for t in _company(situation)
     ]
+
+
+def _asked_by(target: Target, *kinds: str) -> frozenset[str]:
+    """What a target is asked to stand by in some way."""
+    return frozenset(a for tie in target.ties if tie.asked and tie.kind in kinds for a in tie.anchors)
 
 
 def _is_open(situation: Situation, target: Target) -> bool:

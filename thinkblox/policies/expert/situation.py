@@ -244,6 +244,12 @@ class Situation:
         return any(tie.kind in ("opposite", "facing") and not lounges.isdisjoint(tie.anchors) for tie in ties)
 
     @cached_property
+    def is_mere_worktop(self) -> bool:
+        """Whether nobody asked for it, and it is there for what is let into it: who uses that stands before it."""
+        on = [t for t in self.followers if any(tie.kind == "on" and self.target.id in tie.anchors for tie in t.ties)]
+        return not self.target.asked and any(facts_of(t.category).is_in("built_in") for t in on)
+
+    @cached_property
     def spare(self) -> float:
         """How freely the furniture of the plan can stand: 0 where it takes FULL of the floor, 1 where half of that."""
         kinds = map(self.kind, self.observation.plan.targets)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from thinkblox.assets import facts_of
+from thinkblox.knowledge.stacks import load_stacks
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie, carries
 from thinkblox.policies.expert import partners
@@ -125,7 +126,8 @@ def _may_shrink(situation: Situation) -> bool:
 def on_its_like(situation: Situation, lower: Placement) -> Iterator[Idea]:
     """Right on another of its request that lies flat, as a cookie does on a cookie, where nothing lies on that."""
     flat = lower.size[2] <= FLAT * min(lower.size[:2])
-    alike = lower in situation.siblings and not situation.scene.asset_of(lower).surfaces
+    level = not situation.scene.asset_of(lower).surfaces or load_stacks().is_piled(lower.category)
+    alike = lower in situation.siblings and level
     if not (flat and alike) or situation.scene.resting_on(lower.id):
         return
     x, y, _ = lower.position
@@ -150,7 +152,8 @@ def _room_for_all(situation: Situation, surfaces: tuple[Surface, ...], size: Vec
             >= tie.count
         )
     turned = (size[1], size[0])
-    return sum(max(_fitting(s, size[:2]), _fitting(s, turned)) for s in surfaces) >= tie.count
+    disc = _is_disc(situation.asset.front, size)
+    return sum(max(_fitting(s, size[:2], disc=disc), _fitting(s, turned, disc=disc)) for s in surfaces) >= tie.count
 
 
 def _looks_ahead(situation: Situation) -> bool:
@@ -158,10 +161,13 @@ def _looks_ahead(situation: Situation) -> bool:
     return situation.facts.is_in("screens")
 
 
-def _fitting(surface: Surface, size: Vec2, *, tight: bool = True) -> int:
-    """How many things of a size fit on a surface in lines, or on a round one in a line or a ring; see `_free_half`."""
+def _fitting(surface: Surface, size: Vec2, *, tight: bool = True, disc: bool = True) -> int:
+    """How many things of a size fit on a surface in lines, or on a round one in a line or a ring; see `_free_half`.
+
+    What is no `disc` takes all about its corners in a ring.
+    """
     if surface.round:
-        return max(_in_disc(min(surface.size) / 2, size), 1)
+        return max(_in_disc(min(surface.size) / 2, size, disc=disc), 1)
     free = _free_half(size, surface, tight=tight)
     if free is None:
         return 0
@@ -174,14 +180,14 @@ def _only_turned(surfaces: Sequence[Surface], plan: Vec2, tie: Tie) -> bool:
     return one < tie.count <= other
 
 
-def _in_disc(radius: float, size: Vec2) -> int:
+def _in_disc(radius: float, size: Vec2, *, disc: bool) -> int:
     """How many things of a size fit on a disc, in a line along their depth or in a ring.
 
     In a ring they are thought of as discs.
     """
     half = math.sqrt(max(0.0, radius**2 - (size[1] / 2) ** 2))
     in_line = int(2 * half / (size[0] + APART))
-    own = _round_own(size)
+    own = _round_own(size) if disc else math.hypot(*size) / 2
     reach = radius - own - CLOSE
     if own + CLOSE >= reach or max(size) >= LONG * min(size):
         return in_line
@@ -306,7 +312,8 @@ def _free_half(plan: Vec2, surface: Surface, *, tight: bool = False) -> Vec2 | N
         return None
     if tight:
         over = 0.0 if surface.within or surface.round else SLIGHTLY_OVER
-        return (max(0.0, half[0]) + over, max(0.0, half[1]) + over)
+        aside = over if surface.headroom is None else 0.0  # A board below another has uprights at its ends.
+        return (max(0.0, half[0]) + over, max(0.0, half[1]) + aside)
     edge = CLOSE if surface.within and not surface.round else EDGE
     margin_x, margin_y = min(edge, max(0.0, half[0]) / 2), min(edge, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
