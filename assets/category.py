@@ -73,3 +73,10 @@ class Category(Facts):
         least = [round(self.low * min(s[i] for s in sizes), 4) for i in range(3)]
         most = [round(self.high * max(s[i] for s in sizes), 4) for i in range(3)]
         return (least[0], least[1], least[2]), (most[0], most[1], most[2])
+
+    @property
+    def largest_shut(self) -> Vec3:
+        """Largest size that can be made with its doors shut [m]."""
+        sizes = (self.size, *(size for name, size in self.variants.items() if name not in self.states))
+        most = [round(self.high * max(s[i] for s in sizes), 4) for i in range(3)]
+        return (most[0], most[1], most[2])

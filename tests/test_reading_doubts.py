@@ -42,7 +42,7 @@ from thinkblox.reading import read_brief
         ("A sorting table, three crates with apples under it.", ["3 crate under sorting_table"]),
         ("A table with a bowl with apples on it.", ["1 bowl on dining_table"]),
         ("An island; on the island are a cutting board with a knife on it and a bowl of lemons.",
-         ["1 fruit_bowl on kitchen_island"]),
+         ["1 bowl on kitchen_island", "3 lemon inside bowl"]),
         ("Three tables, each with a lamp, two chairs and a crate of bottles.", ["3 crate_of_bottles on dining_table"]),
         ("A vanity with a lit mirror.", ["1 mirror above dressing_table"]),
         ("A bed, a dresser with a mirror above it opposite the bed.", ["1 dresser opposite bed"]),

@@ -51,8 +51,10 @@ def test_what_is_angled_to_something_faces_it() -> None:
 
 
 def test_how_a_thing_is_found_does_not_change_its_name() -> None:
-    things, relations = told("A gym with three yoga mats rolled up in the corner.")
-    assert (things, relations) == ({"yoga_mat": 3}, {"yoga_mat in_corner corner"})
+    things, relations = told("A gym with three gym bags stacked in the corner.")
+    assert (things, relations) == ({"gym_bag": 3}, {"gym_bag in_corner corner"})
+    rolled = read_brief("A gym with three yoga mats rolled up in the corner.")
+    assert [(r.count, r.called) for r in rolled.requests if "mat" in r.category] == [(3, "yoga mat")]
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from typing import Any
 from thinkblox.assets import facts_of, kind_of, revision
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Mention
-from thinkblox.reading.english.chunks import Chunk
+from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.referents import Referents, is_small
 from thinkblox.reading.english.survey import Occurrence, Survey, survey
 
@@ -136,8 +136,9 @@ class Antecedents:
 
     def is_named_alone(self, thing: Mention) -> bool:
         """Whether it was named last without the others of its kind: "the left nightstand"."""
-        named = max((start for start, things in self._meant.items() if thing in things), default=None)
-        return named is not None and list(self._meant[named]) == [thing]
+        start = max((start for start, things in self._meant.items() if thing in things), default=-1)
+        named = next((c for c in self._chunks if c.start == start and isinstance(c, Noun)), None)
+        return named is not None and not named.many and list(self._meant[start]) == [thing]
 
     def _is_owner(self, thing: Mention, start: int) -> bool:
         """Whether the words before `start` tell what a thing has: "a table with two books on it"."""

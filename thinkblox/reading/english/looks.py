@@ -298,7 +298,7 @@ class Descriptions(Rooms):
         comma = self._is_link(self._before(), "mark", "comma")
         if thing is None or not comma or len(lengths) < 2 or min(lengths) < _LEAST_SIDE:
             return False
-        depth, width, _ = kind_of(thing.noun).size_range[1]
+        depth, width, _ = kind_of(thing.noun).largest_shut
         return min(lengths) > max(depth, width) or min(lengths) > _MUCH_DEEPER * min(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
