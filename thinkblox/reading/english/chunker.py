@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from functools import cached_property, lru_cache
 
+from thinkblox.assets.names import begins_name
 from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.dimensions import led_size
@@ -301,7 +302,9 @@ class Cutter:
     def _words(self) -> Chunk:
         if (said := self._set_phrase()) is not None:
             return said
-        noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        noun = (
+            None if self._begins_no_noun() else self._phrases.read(self.at, after_preposition=self._after_preposition())
+        )
         noun = None if noun is not None and self._begins_link(noun) else self._other_one(noun)
         of_room = noun is not None and self._names_room()
         link = None if of_room else self._link()
@@ -328,6 +331,11 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _begins_no_noun(self) -> bool:
+        """Whether a word comes that only links others, as two in five do."""
+        word = self.tokens[self.at].text
+        return word in grammar().lists["linking"] and not begins_name(word)
 
     def _lack(self) -> Adjective | None:
         """Read a word between marks for what the thing before them lacks: "a dress form - headless - stands"."""
