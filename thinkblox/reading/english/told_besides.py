@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at, filler
 from thinkblox.reading.english.said import is_holding, is_link
 
@@ -33,7 +34,7 @@ def with_told_besides(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
             at += 1
-    return _with_each_before(_with_new_things(made))
+    return _with_each_apart(_with_each_before(_with_new_things(_with_ones_named(made))))
 
 
 def _told(chunks: Sequence[Chunk], at: int, thing: Noun) -> Noun | None:
@@ -74,6 +75,47 @@ def _called_so(chunks: Sequence[Chunk], at: int) -> Adjective | None:
         [*other.unshown, other.word],
         [*other.states],
     )
+
+
+def _with_ones_named(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the rug of "a red rug lies under the table, a blue one in front of the sofa"."""
+    made = list(chunks)
+    named: list[Noun] = []
+    for at, chunk in enumerate(made):
+        if is_link(chunk, "mark", "stop", "semicolon"):
+            named = []
+        elif isinstance(chunk, Noun) and chunk.kind == "thing":
+            named.append(chunk)
+        elif named and isinstance(chunk, Noun) and _is_another_look(chunk):
+            joined = is_link(made[at - 1], "mark", "comma") or is_link(made[at - 1], "joins", "and")
+            like = next((noun for noun in named if noun.det in ("a", "one") and _is_coloured(noun)), None)
+            if joined and like is not None and not any(noun.many for noun in named):
+                text = f"{chunk.text.rpartition(' ')[0]} {like.word}"
+                look = replace(like, start=chunk.start, end=chunk.end, text=text, attributes=[*chunk.attributes])
+                made[at] = replace(look, unshown=[*chunk.unshown], states=[], styles=[], size=None)
+    return made
+
+
+def _is_coloured(noun: Noun) -> bool:
+    return any(look in COLOURS for look in noun.attributes)
+
+
+def _is_another_look(noun: Noun) -> bool:
+    """Whether it is "a blue one"."""
+    return noun.kind == "number" and noun.det == "a" and _is_coloured(noun) and noun.text.lower().endswith(" one")
+
+
+def _with_each_apart(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with a clause of its own for "and each has a plant on top"."""
+    made = list(chunks)
+    for at in range(1, len(made) - 1):
+        each, verb = made[at], made[at + 1]
+        if not isinstance(each, Noun) or (each.kind, each.text.lower()) != ("pronoun", "each"):
+            continue
+        joint = made[at - 1]
+        if is_link(joint, "joins", "and") and isinstance(verb, Connector) and verb.sort == "verbs" and is_holding(verb):
+            made[at - 1] = Connector("mark", "semicolon", joint.start, joint.end, ";")
+    return made
 
 
 def _with_new_things(chunks: Sequence[Chunk]) -> list[Chunk]:
