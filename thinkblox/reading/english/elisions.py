@@ -16,7 +16,7 @@ _PAST = 2
 
 def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks, where what has only a number or an article and an adjective borrows the noun that comes."""
-    whole = _with_ordinals(chunks)
+    whole = _with_named_ordinals(_with_ordinals(chunks))
     for at in range(len(whole) - _PAST - 1, -1, -1):
         said, link, other = whole[at : at + _PAST + 1]
         if not (isinstance(said, Noun) and _lacks_noun(said) and isinstance(other, Noun) and _lends(other)):
@@ -47,6 +47,34 @@ def _with_ordinals(chunks: Sequence[Chunk]) -> list[Chunk]:
         whole[at] = replace(second, start=said.start, end=said.end, ordinal=said.ordinal, text=f"{said.text} {singled}")
         whole[at + _PAST] = replace(second, text=f"the {word} {singled}")
     return whole
+
+
+def _with_named_ordinals(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the noun of "the first shelf" for "the second" and "the third" of the same sentence."""
+    whole = list(chunks)
+    first: Noun | None = None
+    for at, chunk in enumerate(whole):
+        if isinstance(chunk, Connector) and (chunk.sort, chunk.value) == ("mark", "stop"):
+            first = None
+        if not isinstance(chunk, Noun) or chunk.det != "the" or chunk.count not in (None, 1):
+            continue
+        if chunk.kind == "thing" and chunk.ordinal:
+            first = chunk
+        elif first is not None and _is_bare_ordinal(chunk) and not _is_link_of(whole[at - 1]):
+            several = any(isinstance(c, Noun) and c.value == first.value and c.many for c in whole[:at])
+            name = replace(first, start=chunk.start, end=chunk.end, text=f"{chunk.text} {first.word}")
+            told = replace(name, ordinal=chunk.ordinal)
+            whole[at] = told if several else replace(name, ordinal=0, det="another", text=f"another {first.word}")
+    return whole
+
+
+def _is_bare_ordinal(noun: Noun) -> bool:
+    """Whether it is "the second", of which nothing else is told."""
+    return noun.kind == "number" and noun.ordinal > 1 and not (noun.attributes or noun.of_known or noun.rows)
+
+
+def _is_link_of(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and (chunk.sort, chunk.value) == ("prepositions", "of")
 
 
 def _with_sides(chunks: Sequence[Chunk]) -> list[Chunk]:

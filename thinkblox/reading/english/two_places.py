@@ -14,7 +14,7 @@ _UPON = ("on", "on_top", "in", "inside")
 
 def with_two_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks with commas around the second place, where that is to something small, as the first is not."""
-    chunks = _listed_beside(chunks)
+    chunks = _across_the_same(_listed_beside(chunks))
     made: list[Chunk] = []
     last: Noun | None = None
     at = 0
@@ -50,6 +50,25 @@ def _listed_beside(chunks: Sequence[Chunk]) -> list[Chunk]:
         listed = isinstance(other, Noun) and other.kind == "thing" and not other.definite
         if placed and listed and isinstance(thing, Noun) and thing.kind == "thing" and not thing.many:
             made[begin + 1 : at + 1] = [_comma(made[place]), *made[place:at], *_named(it, thing)]
+    return made
+
+
+def _across_the_same(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the stove for the "its" of "a fridge to the left of the stove and a sink to its right"."""
+    made: list[Chunk] = []
+    side: tuple[str, Noun] | None = None
+    for chunk in chunks:
+        part, of = (None, None, *made)[-2:]
+        if is_link(chunk, "mark", "stop", "semicolon"):
+            side = None
+        elif isinstance(chunk, Noun) and chunk.kind == "thing" and isinstance(part, Noun) and is_link(of, "prepositions", "of"):
+            side = (part.value, chunk) if part.value in ("left", "right") and not chunk.many else None
+        its = isinstance(chunk, Noun) and chunk.kind == "part" and chunk.det == "my"
+        if its and isinstance(chunk, Noun) and side is not None and {chunk.value, side[0]} == {"left", "right"}:
+            made += _named(chunk, side[1])
+            side = None
+        else:
+            made.append(chunk)
     return made
 
 
