@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
-from math import dist, log, pi, prod
+from math import dist, log, pi, prod, tan
 
 import numpy as np
 from shapely import MultiPoint, Polygon, get_coordinates
@@ -185,6 +185,8 @@ def _seats(asset: Asset) -> int:
         return int(asset.size[1] / _PLACE)
     if _is_even(long, short) and _is_round(asset):
         return int(pi * long / _PLACE)
+    if corners := next((count for count in POLYGONS.values() if _has_corners(count)(asset)), 0):
+        return corners * int(short * tan(pi / corners) / _PLACE)
     along = max(1, int((long - _KNEES) / _PLACE))
     return 2 * along + 2
 

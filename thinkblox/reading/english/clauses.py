@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from itertools import pairwise
 
+from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Draft
@@ -27,8 +28,6 @@ _END = Connector("mark", "stop", 0, 0)
 """What ends a text."""
 _ANGLED = "angled"
 """What is said of what is turned to something, unless it is so only slightly."""
-_LEANING = {"mirror": "standing_mirror", "studio_mirror": "standing_mirror"}
-"""What hangs, and what the same is that leans against a wall."""
 _LOOSE = ("scattered", "strewn", "dotted")
 """How things lie that are in no order, as all do of which nothing is said."""
 
@@ -151,7 +150,8 @@ class Clauses(Audit):
         if node is None or by is None or not (at_wall or by.kind in ("thing", "number", "pronoun")):
             return False
         for thing in node.things if at_wall else ():
-            thing.noun = _LEANING.get(thing.noun, thing.noun)
+            standing = f"standing_{thing.noun}"
+            thing.noun = standing if standing in CATALOGUE else thing.noun
         return not any(self._belongs(t.noun, "wallpieces") or (not at_wall and is_small(t)) for t in node.things)
 
     def _say_of_all(self, link: Connector) -> None:

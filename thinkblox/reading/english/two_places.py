@@ -61,7 +61,12 @@ def _across_the_same(chunks: Sequence[Chunk]) -> list[Chunk]:
         part, of = (None, None, *made)[-2:]
         if is_link(chunk, "mark", "stop", "semicolon"):
             side = None
-        elif isinstance(chunk, Noun) and chunk.kind == "thing" and isinstance(part, Noun) and is_link(of, "prepositions", "of"):
+        elif (
+            isinstance(chunk, Noun)
+            and chunk.kind == "thing"
+            and isinstance(part, Noun)
+            and is_link(of, "prepositions", "of")
+        ):
             side = (part.value, chunk) if part.value in ("left", "right") and not chunk.many else None
         its = isinstance(chunk, Noun) and chunk.kind == "part" and chunk.det == "my"
         if its and isinstance(chunk, Noun) and side is not None and {chunk.value, side[0]} == {"left", "right"}:
