@@ -7,6 +7,7 @@ from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.referents import parts_of
 from thinkblox.reading.english.verbs import Verbs
 
 _SIDES = ("in_front_of", "behind", "left_of", "right_of", "under", "above", "opposite")
@@ -408,6 +409,12 @@ class Numbers(Verbs):
         """Set so many of `whole` apart and speak of them."""
         if self._leaves_out(whole, count) or self._sit_all_around(whole, count, noun):
             return
+        if noun is not None and self._is_look_of_some(whole, count, noun):
+            self._speak_of_part(self._part_of_each(whole, count), noun)
+        else:
+            self._part_of_all(whole, count, noun)
+
+    def _part_of_all(self, whole: Mention, count: int, noun: Noun | None) -> None:
         times = self._times_next()
         if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
             self.referents.settle(whole)
@@ -442,6 +449,24 @@ class Numbers(Verbs):
         else:
             part = self.referents.part(whole, min(total, whole.count or total))
         self._speak_of_part(part, noun)
+
+    def _is_look_of_some(self, whole: Mention, count: int, noun: Noun) -> bool:
+        """Whether a look is told of some of what each has: "each with two cushions, one red and one blue"."""
+        each = any(b.each and parts_of(b) and whole not in parts_of(b) for b in self.draft.bonds_of(whole))
+        which = noun.text.lower().endswith(" of which")
+        looks = which or (bool(noun.attributes) and not (noun.definite or self.predicate))
+        fewer = count < (whole.count or 1) or (count == whole.count and whole is self.referents.parted)
+        return each and looks and fewer and (which or bool(self.separator))
+
+    def _part_of_each(self, whole: Mention, count: int) -> Mention:
+        """Set so many apart of what each of several has, so that each has as many of these."""
+        shared = [bond for bond in self.draft.bonds_of(whole) if bond.each]
+        for bond in shared:
+            bond.each = False
+        part = self.referents.part(whole, count)
+        for bond in (*self.draft.bonds_of(part), *self.draft.bonds_of(whole)):
+            bond.each |= any((bond.kind, bond.anchors) == (told.kind, told.anchors) for told in shared)
+        return part
 
     def _leaves_out(self, whole: Mention, count: int) -> bool:
         """Set apart those of which what was said of all is not true, where that is what is told."""
