@@ -69,7 +69,7 @@ def related(brief: Brief) -> set[str]:
             {"cello on workbench-3", "violin on workbench", "violin-2 on workbench-2"},
         ),
         (
-            "Three benches and two violins. One violin lies on the left bench and one on the right bench.",
+            ("Three benches and two violins. One violin lies on the left bench and one on the right bench."),
             {"bench": 1, "bench-2": 1, "bench-3": 1, "violin": 1, "violin-2": 1},
             {"violin on bench", "violin-2 on bench-2"},
         ),
@@ -117,7 +117,7 @@ def test_at_each_of_those_that_are_listed(prompt: str, things: dict[str, int], r
             {"bed against_wall wall", "nightstand left_of bed", "nightstand-2 right_of bed"},
         ),
         (
-            "There is a fireplace. Two armchairs flank the fireplace, one on its left and one on its right.",
+            ("There is a fireplace. Two armchairs flank the fireplace, one on its left and one on its right."),
             {"fireplace": 1, "armchair": 1, "armchair-2": 1},
             {"armchair left_of fireplace", "armchair-2 right_of fireplace"},
         ),
@@ -277,7 +277,7 @@ def test_which_of_them(prompt: str, things: dict[str, int], relations: set[str])
             {"alarm_clock on nightstand", "nightstand between bed", "pillow on bed each", "stuffed_animal on bed each"},
         ),
         (
-            "A restaurant with three tables. Every table has a candle on it and two chairs that face each other.",
+            ("A restaurant with three tables. Every table has a candle on it and two chairs that face each other."),
             {"dining_table": 3, "candle": 3, "chair": 6},
             {"candle on dining_table each", "chair around dining_table each", "chair facing chair"},
         ),
@@ -317,7 +317,7 @@ def test_which_of_them(prompt: str, things: dict[str, int], relations: set[str])
             {"desk_lamp on desk each", "vase on desk-2 each"},
         ),
         (
-            "Seven bicycles, four of which hang on the wall; next to each of the remaining three is a repair stand.",
+            ("Seven bicycles, four of which hang on the wall; next to each of the remaining three is a repair stand."),
             {"wall_bicycle": 4, "bicycle": 3, "repair_stand": 3},
             {"repair_stand next_to bicycle each", "wall_bicycle on wall"},
         ),
@@ -346,7 +346,103 @@ def test_which_of_them(prompt: str, things: dict[str, int], relations: set[str])
             {"dining_table": 3, "shelving_unit": 3},
             {"shelving_unit against_wall wall"},
         ),
+        (
+            "Five benches, each with two cushions, one red and one blue.",
+            {"bench": 5, "pillow": 5, "pillow-2": 5},
+            {"pillow on bench each", "pillow-2 on bench each"},
+        ),
+        (
+            "The stove is flanked by two cabinets, and each has a plant on top.",
+            {"stove": 1, "cabinet": 1, "cabinet-2": 1, "potted_plant": 2},
+            {"cabinet left_of stove", "cabinet-2 right_of stove", "potted_plant on cabinet cabinet-2 each"},
+        ),
     ],
 )
 def test_of_each_of_them(prompt: str, things: dict[str, int], relations: set[str]) -> None:
     assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "relations"),
+    [
+        (
+            "A red rug lies under the table, a blue one in front of the sofa.",
+            {"rug": 1, "dining_table": 1, "rug-2": 1, "sofa": 1},
+            {"rug under dining_table", "rug-2 in_front_of sofa"},
+        ),
+        (
+            "A table with a red vase and a blue one on it.",
+            {"dining_table": 1, "vase": 1, "vase-2": 1},
+            {"vase on dining_table", "vase-2 on dining_table"},
+        ),
+        (
+            "The fridge is to the left of the stove, the dishwasher to its right.",
+            {"fridge": 1, "stove": 1, "dishwasher": 1},
+            {"dishwasher right_of stove", "fridge left_of stove"},
+        ),
+        (
+            "The first shelf holds six books, the second three boxes and the third a plant.",
+            {"bookcase": 1, "book": 6, "shelving_unit": 1, "box": 3, "shelving_unit-2": 1, "plant": 1},
+            {"book inside bookcase", "box inside shelving_unit", "plant inside shelving_unit-2"},
+        ),
+        (
+            "A clock above the door and a fire extinguisher next to it.",
+            {"clock": 1, "fire_extinguisher": 1},
+            {"clock above door", "fire_extinguisher next_to door"},
+        ),
+        (
+            "The door is in the north wall; a coat rack stands to the right of it.",
+            {"coat_rack": 1},
+            {"coat_rack right_of door"},
+        ),
+        (
+            "A large window lets in light; below it is a bench.",
+            {"bench": 1},
+            {"bench under window"},
+        ),
+    ],
+)
+def test_another_of_them(prompt: str, things: dict[str, int], relations: set[str]) -> None:
+    assert told(prompt) == (things, relations)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Leave out a pool table, a television, a dartboard.",
+        "Not needed: a pool table, a television, a dartboard.",
+        "Don't include: a pool table, a television and a dartboard.",
+        "What we can do without: a pool table, a television, a dartboard.",
+        "No pool table, television or dartboard.",
+        "We don't want a pool table, a television, or a dartboard, just the sofas.",
+    ],
+)
+def test_a_list_that_is_not_wanted_is_left_out_to_its_end(said: str) -> None:
+    brief = read_brief(f"A common room with two sofas. {said}")
+    assert brief.excluded == ("dart_board", "pool_table", "tv")
+    assert asked(brief) == {"sofa": 2}
+
+
+def test_what_a_shop_does_not_sell_is_not_there() -> None:
+    brief = read_brief("A bike shop with a counter. We don't do scooters and don't sell helmets, so leave those out.")
+    assert (asked(brief), brief.excluded, brief.unknown) == ({"counter": 1}, ("helmet", "scooter"), ())
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Earthy, hushed, a little imperfect.",
+        "It used to be a broom cupboard.",
+        "A stove that is always too hot stands in the corner.",
+        "Completing the space, a clock hangs on the wall.",
+    ],
+)
+def test_what_tells_a_mood_or_a_past_asks_for_nothing(said: str) -> None:
+    assert not read_brief(f"A living room around 1930 with a sofa. {said}").unknown
+
+
+def test_what_leans_against_furniture_stands_beside_it() -> None:
+    assert told("A ladder leans on a bookcase. A tall mirror leans against the wall.") == (
+        {"ladder": 1, "bookcase": 1, "standing_mirror": 1},
+        {"ladder next_to bookcase", "standing_mirror against_wall wall"},
+    )
