@@ -13,6 +13,8 @@ from thinkblox.reading.english.said import is_link
 
 _PAIR = 2
 _POINTING = ("the", "all", "both", "each")
+_BETWEEN = 6
+"""So many chunks come before "all" in "a stove between a fridge and a sink, all along one wall"."""
 _MASSES = ("furniture", "furnishing", "seating", "storage", "tableware", "crockery", "dinnerware", "lighting")
 """Words for several things that have no plural."""
 
@@ -20,7 +22,7 @@ _MASSES = ("furniture", "furnishing", "seating", "storage", "tableware", "crocke
 def with_collectives(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which such a noun says which of those named before it means, where these are as many as it says."""
     made: list[Chunk] = []
-    chunks = _with_looks(_whole(chunks))
+    chunks = _with_looks(_whole(_all_between(chunks)))
     at = 0
     while at < len(chunks):
         chunk = chunks[at]
@@ -66,6 +68,24 @@ def _whole(chunks: Sequence[Chunk]) -> list[Chunk]:
             made[-1] = replace(noun, start=first.start, det=first.det, count=first.count, text=text)
         else:
             made.append(noun)
+    return made
+
+
+def _all_between(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with all three of "a stove between a fridge and a sink, all of them along one wall"."""
+    made = list(chunks)
+    for at in range(len(made) - _BETWEEN):
+        one, link, two, joint, three, comma, every = made[at : at + _BETWEEN + 1]
+        things = [c for c in (one, two, three) if isinstance(c, Noun) and c.kind == "thing" and not c.many]
+        said = (
+            is_link(link, "prepositions", "between")
+            and is_link(joint, "joins", "and")
+            and is_link(comma, "mark", "comma")
+        )
+        if not said or len(things) < len((one, two, three)) or not isinstance(every, Noun) or every.value != "all":
+            continue
+        among = tuple(noun.start for noun in things)
+        made[at + _BETWEEN] = replace(every, kind="thing", det="the", count=None, plural=True, among=among)
     return made
 
 
