@@ -1,12 +1,13 @@
 """What one has and another has of another look: "two of them have a red lamp on them, the third a blue one"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_holding, is_link
 
+_SECOND = 2
 _ALSO = ("also", "just", "only")
 """What may stand where the verb is left out."""
 
@@ -17,6 +18,9 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
     for chunk in chunks:
         also = bool(made) and isinstance(made[-1], Connector) and made[-1].text.lower() in _ALSO
         before = made[-1 - also] if len(made) > also else None
+        if (told := _so_many(made, chunk)) is not None:
+            made += told
+            continue
         if (verb := _left_out(made[: len(made) - also], before, chunk)) is not None:
             made[len(made) - also :] = [replace(verb, start=chunk.start, end=chunk.start)]
             made.append(chunk)
@@ -46,9 +50,30 @@ def _left_out(made: Sequence[Chunk], before: Chunk | None, chunk: Chunk) -> Conn
     joint = made[-2] if len(made) > 1 else None
     if not (is_link(joint, "mark", "comma") or is_link(joint, "joins", "and")):
         return None
+    return next((verb for verb, _ in _had(made[:-1])), None)
+
+
+def _had(made: Sequence[Chunk]) -> Iterator[tuple[Connector, Noun]]:
+    """The verbs of a sentence by which something has a thing, and these things."""
     begin = next((n + 1 for n in range(len(made) - 1, -1, -1) if is_link(made[n], "mark", "stop", "semicolon")), 0)
-    told = (c for c, had in pairwise(made[begin:-2]) if is_holding(c) and isinstance(had, Noun) and had.kind == "thing")
-    return next((verb for verb in told if isinstance(verb, Connector)), None)
+    for verb, thing in pairwise(made[begin:-1]):
+        if isinstance(verb, Connector) and is_holding(verb) and isinstance(thing, Noun) and thing.kind == "thing":
+            yield verb, thing
+
+
+def _so_many(made: Sequence[Chunk], chunk: Chunk) -> list[Chunk] | None:
+    """What "the second six" is after "the first holds nine boxes": the second holds six boxes."""
+    if not isinstance(chunk, Noun) or chunk.kind != "number" or chunk.ordinal < _SECOND or (chunk.count or 1) < _SECOND:
+        return None
+    had = next(_had(made), None) if made and is_link(made[-1], "mark", "comma") else None
+    if had is None or had[1].count is None or chunk.of_known or chunk.attributes:
+        return None
+    verb, thing = had
+    which = replace(chunk, count=1, plural=False, text=chunk.text.rpartition(" ")[0])
+    more = replace(
+        thing, start=chunk.end, end=chunk.end, count=chunk.count, text=f"{chunk.count} {thing.text.split()[-1]}"
+    )
+    return [which, replace(verb, start=chunk.end, end=chunk.end), more]
 
 
 def _is_other(noun: Noun) -> bool:
