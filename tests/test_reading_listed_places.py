@@ -446,3 +446,22 @@ def test_what_leans_against_furniture_stands_beside_it() -> None:
         {"ladder": 1, "bookcase": 1, "standing_mirror": 1},
         {"ladder next_to bookcase", "standing_mirror against_wall wall"},
     )
+
+
+def test_a_sink_by_the_window_is_in_the_counter_that_is_asked_for() -> None:
+    """No second cabinet is made for it where nothing says that the counter stands elsewhere."""
+    brief = read_brief("A kitchen. A sink is near the window. A toaster is on the counter.")
+    assert sum(r.count for r in brief.requests if r.category in ("base_cabinet", "counter")) == 1
+
+
+def test_a_pair_of_glasses_beside_a_water_glass_is_to_see_with() -> None:
+    brief = read_brief("A bedroom. A water glass and a pair of glasses are on the nightstand.")
+    assert {r.category: r.count for r in brief.requests if r.category in ("glass", "eyeglasses")} == {
+        "glass": 1,
+        "eyeglasses": 1,
+    }
+
+
+def test_what_stands_beside_a_stand_is_not_put_on_it() -> None:
+    brief = read_brief("A studio. A keyboard synthesizer on its stand is to the left of the mixing desk.")
+    assert not [r for r in brief.relations if r.kind == "on" and r.subject == "mixing_desk"]

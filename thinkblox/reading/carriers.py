@@ -68,7 +68,9 @@ def share_carriers(draft: Draft) -> None:
         lies = next((b for b in draft.bonds_of(bond.subject) if _lies(b) and not b.each), None)
         for anchor in bond.anchors if lies is not None and not bond.each else ():
             free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor)
-            if free and isinstance(anchor, Mention) and lies is not None and lies.anchors[0] is not anchor:
+            if not free or not isinstance(anchor, Mention) or lies is None or lies.anchors[0] is anchor:
+                continue
+            if _has_room_for_both(lies, anchor):
                 draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
     told = [*beside, *between]
     while found := [(bond, lies) for bond in told if (lies := _carrier_of_neighbour(draft, bond)) is not None]:

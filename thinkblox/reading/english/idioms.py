@@ -36,6 +36,7 @@ _DRINKS = (
     "bar",
 )
 """Where these are spoken of a pair of glasses is two to drink from."""
+_GLASSES = ("glass", "glasses")
 _PARTS, _FIXED = ("wall", "ceiling"), ("mounted", "hung", "fixed")
 """Words that a hyphen would join: "a wall mounted shelf"."""
 _LONGEST = 6
@@ -106,7 +107,7 @@ def _rows(tokens: list[Token]) -> list[Token]:
 
 
 def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
-    at, drinks = 0, any(token.text in _DRINKS for token in tokens)
+    at, drinks = 0, _is_of_drinks(tokens)
     while at < len(tokens):
         words = [token.text for token in tokens[at : at + 3]]
         if _is_grid(tokens, at):
@@ -140,6 +141,12 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
         else:
             yield tokens[at]
         at += 1
+
+
+def _is_of_drinks(tokens: Sequence[Token]) -> bool:
+    """Whether drinks are spoken of: a water glass beside a pair of glasses tells the two apart."""
+    following = (*(token.text for token in tokens[1:]), "")
+    return any(t.text in _DRINKS and after not in _GLASSES for t, after in zip(tokens, following, strict=True))
 
 
 def _turned_ends(tokens: Sequence[Token], at: int) -> list[Token]:
