@@ -54,6 +54,8 @@ _BEFORE_RUN, _BEHIND_ISLAND = 1.1, 1.0
 """Free floor between a run and an island before it, and behind that [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
 """Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
+_WIDE, _DOORWAY = 1.0, 1.2
+"""So wide are things of which one hangs beside the other, and what a door takes of a wall on which they do [m]."""
 
 
 def needed_area(brief: Brief) -> float:
@@ -107,8 +109,8 @@ def _walls_area(brief: Brief) -> float:
 
 
 def wall_needs(brief: Brief) -> Vec2:
-    """Least sides of a room along x and y, for what the prompt puts against a wall that it names [m]."""
-    needs = dict.fromkeys((*COMPASS, *SIDES), 0.0)
+    """Least sides of a room along x and y, for what the prompt puts against or hangs on a wall that it names [m]."""
+    needs, hung = dict.fromkeys((*COMPASS, *SIDES), 0.0), dict.fromkeys((*COMPASS, *SIDES), 0.0)
     requests = {request.key: request for request in brief.requests}
     for relation in brief.relations:
         for wall in relation.anchors:
@@ -116,6 +118,10 @@ def wall_needs(brief: Brief) -> Vec2:
                 request = requests[relation.subject]
                 gap = _BESIDE if relation.kind == "against_wall" else _IN_CORNER
                 needs[wall] += request.count * (extent(request)[1] + gap) if _stands(request) else 0.0
+            elif wall in hung and relation.kind == "on" and not relation.negated:
+                width = extent(requests[relation.subject])[1]
+                hung[wall] += requests[relation.subject].count * (width + _BESIDE) if width >= _WIDE else 0.0
+    needs = {wall: max(needs[wall], hung[wall] + _DOORWAY if hung[wall] else 0.0) for wall in needs}
     along = [max(needs[a], needs[b]) for a, b in (("north_wall", "south_wall"), ("east_wall", "west_wall"))]
     seen = [max(needs[a], needs[b]) for a, b in (("far_wall", "near_wall"), ("left_wall", "right_wall"))]
     x, y = (round(min(MAX_SIDE, max(pair)), 1) for pair in zip(along, seen, strict=True))

@@ -33,6 +33,8 @@ AGAINST_WALL = 0.3
 """Largest gap to a wall; SceneEval against_wall."""
 ON_WALL = 0.01
 """Largest gap of a thing mounted on a wall or hung from the ceiling; SceneEval on_wall."""
+ON_WALL_YAW = 60.0
+"""So far at most the back of what hangs is turned from its wall [degrees]: its end may touch the next one."""
 CORNER = 0.8
 """Largest distance of a footprint to its corner; SceneEval corner."""
 SEAT_GAP = 0.4
@@ -211,8 +213,10 @@ def _on(subject: Landmark, anchor: Landmark) -> Finding:
     if anchor.kind == "wall":
         aside = ground_gap(subject, anchor)
         hangs = subject.base > CONTACT
+        turned = turn_between(subject.yaw, anchor.yaw) if subject.hung and subject.front == "one" else 0.0
         text = f"{subject.name} {aside:.2f} m from {anchor.name}" + ("" if hangs else ", on the floor")
-        return aside <= ON_WALL + ROUNDING and hangs, text
+        text += "" if turned <= ON_WALL_YAW else f", its back {turned:.0f} degrees off it"
+        return aside <= ON_WALL + ROUNDING and hangs and turned <= ON_WALL_YAW, text
     if anchor.kind == "ceiling":
         lower = anchor.base - subject.top
         return abs(lower) <= ON_WALL + ROUNDING, f"top of {subject.name} {lower:.2f} m below {anchor.name}"

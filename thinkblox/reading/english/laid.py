@@ -3,14 +3,17 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.said import is_link
 
 _OVER = ("over", "across", "all over", "all across", "throughout")
 _ABOUT = (*_OVER, "about", "around", "all around")
 """How far what is spread reaches over a thing, and about a room."""
 _TRAYS = ("tray", "caddy", "board", "plank")
 """What lies with both ends on something."""
+_STATES = ("folded",)
+"""What says in what state something is as well as that it is somewhere."""
 _LINING = ("line", "lines", "lining")
 _ADORN = ("adorn", "grac", "decorat")
 """How verbs begin that say of things that they are there for their looks."""
@@ -28,6 +31,17 @@ def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
         if over and isinstance(link, Connector) and isinstance(where, Noun):
             made[at:] = _laid(made[:at], link, where, made[at + 2 :])
         at += 1
+    return _with_states(made)
+
+
+def _with_states(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks in which "an ironing board folded against the wall" tells, besides where it is, that it is folded."""
+    made: list[Chunk] = []
+    for chunk in chunks:
+        thing = made[-1] if made else None
+        if is_link(chunk, "participles") and chunk.text.lower() in _STATES and isinstance(thing, Noun):
+            made += [Adjective(chunk.start, chunk.start, chunk.text, states=[chunk.text.lower()])]
+        made.append(chunk)
     return made
 
 
