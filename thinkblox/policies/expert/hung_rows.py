@@ -36,7 +36,9 @@ def places(situation: Situation, wall: Wall, z: float) -> Iterator[RowPlace]:
     """
     target = situation.target
     seats = [situation.kind(t).size[1] for t in situation.followers if any(tie.kind == "in_front_of" for tie in t.ties)]
-    edge_to_edge = situation.size[2] > HIGH and any(tie.kind in ("against_wall", "on") and tie.asked for tie in target.ties)
+    edge_to_edge = situation.size[2] > HIGH and any(
+        tie.kind in ("against_wall", "on") and tie.asked for tie in target.ties
+    )
     if target.count < 2 or not (seats or edge_to_edge):
         return
     hung = [p for p in situation.siblings if wall.yaw == p.yaw and wall.coordinates(p.position[:2])[1] <= p.size[0]]

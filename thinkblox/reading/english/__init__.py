@@ -96,6 +96,7 @@ from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.told_apart import with_told_apart
+from thinkblox.reading.english.some_told import with_some_told
 from thinkblox.reading.english.told_besides import with_told_besides
 from thinkblox.reading.english.told_later import with_told_later
 from thinkblox.reading.english.top_sides import with_top_sides
@@ -224,6 +225,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_carrying,
         with_moods_told,
         with_told_besides,
+        with_some_told,
         with_also_there,
         with_some_carriers,
         with_one_each_side,

@@ -37,11 +37,13 @@ def with_laid(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _with_states(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks in which "an ironing board folded against the wall" tells, besides where it is, that it is folded."""
     made: list[Chunk] = []
-    for chunk in chunks:
-        thing = made[-1] if made else None
+    for at, chunk in enumerate(chunks):
+        thing = next((c for c in reversed(made[-2:]) if not is_link(c, "mark", "comma")), None)
         if is_link(chunk, "participles") and chunk.text.lower() in _STATES and isinstance(thing, Noun):
-            made += [Adjective(chunk.start, chunk.start, chunk.text, states=[chunk.text.lower()])]
-        made.append(chunk)
+            made.append(Adjective(chunk.start, chunk.end, chunk.text, states=[chunk.text.lower()]))
+            made += [] if is_link(chunk_at(chunks, at + 1), "mark") else [replace(chunk, start=chunk.end)]
+        else:
+            made.append(chunk)
     return made
 
 
