@@ -91,12 +91,12 @@ from thinkblox.reading.english.shares_told import with_shares
 from thinkblox.reading.english.short_names import with_short_names
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.english.some_carriers import with_some_carriers
+from thinkblox.reading.english.some_told import with_some_told
 from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
 from thinkblox.reading.english.told_apart import with_told_apart
-from thinkblox.reading.english.some_told import with_some_told
 from thinkblox.reading.english.told_besides import with_told_besides
 from thinkblox.reading.english.told_later import with_told_later
 from thinkblox.reading.english.top_sides import with_top_sides
