@@ -465,3 +465,46 @@ def test_a_pair_of_glasses_beside_a_water_glass_is_to_see_with() -> None:
 def test_what_stands_beside_a_stand_is_not_put_on_it() -> None:
     brief = read_brief("A studio. A keyboard synthesizer on its stand is to the left of the mixing desk.")
     assert not [r for r in brief.relations if r.kind == "on" and r.subject == "mixing_desk"]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A dining room with a table and four chairs, the two chairs by the window are blue.",
+        "A dining room with a table and four chairs, two of the chairs by the window are blue.",
+    ],
+)
+def test_a_colour_of_some_is_not_that_of_all(prompt: str) -> None:
+    brief = read_brief(prompt)
+    found = [(r.category, r.count, r.attributes) for r in brief.requests if r.asked]
+    assert [(c, n, "blue" in a) for c, n, a in found] == [
+        ("dining_table", 1, False),
+        ("chair", 2, True),
+        ("chair", 2, False),
+    ]
+
+
+def test_each_table_has_all_that_is_listed_with_what_each_has() -> None:
+    brief = read_brief("A café with six tables with a vase and two cups on them.")
+    assert {r.category: r.count for r in brief.requests if r.category in ("vase", "cup")} == {"vase": 6, "cup": 12}
+
+
+def test_what_is_folded_against_a_wall_is_asked_to_be_folded() -> None:
+    brief = read_brief("A laundry room with an ironing board folded against the wall.")
+    assert brief.request("ironing_board").states == ("folded",)
+
+
+def test_a_wall_without_windows_takes_no_window_from_the_room() -> None:
+    brief = read_brief("A living room with a sofa facing the window and a piano along the wall without windows.")
+    assert not [o for o in brief.openings if o.kind == "window" and not o.count]
+    assert "windowless wall" in " ".join(brief.unknown)
+
+
+def test_each_chair_has_its_own_mirror() -> None:
+    brief = read_brief("A barber shop with two barber chairs, each in front of its own mirror.")
+    assert {r.category: r.count for r in brief.requests if r.asked} == {"barber_chair": 2, "mirror": 2}
+
+
+def test_chairs_of_different_colours_are_not_passed_over() -> None:
+    brief = read_brief("A library with four round tables, each with four chairs of a different colour.")
+    assert brief.unknown

@@ -70,7 +70,7 @@ def share_carriers(draft: Draft) -> None:
             free = isinstance(anchor, Mention) and _can_lie(anchor) and not draft.bonds_of(anchor)
             if not free or not isinstance(anchor, Mention) or lies is None or lies.anchors[0] is anchor:
                 continue
-            if _has_room_for_both(lies, anchor):
+            if not _outgrows_carrier(anchor, lies.anchors[0]):
                 draft.bonds = [*draft.bonds, replace(lies, subject=anchor)]
     told = [*beside, *between]
     while found := [(bond, lies) for bond in told if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
@@ -115,6 +115,16 @@ def _has_room_for_both(lies: Bond, thing: Mention) -> bool:
         return True
     areas = [math.prod(kind_of(each.noun).size[:2]) for each in (lies.subject, thing, carrier)]
     return areas[0] + areas[1] <= areas[2]
+
+
+def _outgrows_carrier(thing: Mention, carrier: Mention | str) -> bool:
+    """Whether it is larger than what another lies on, or that is a stand for one: a mixing desk is on no such."""
+    if not isinstance(carrier, Mention):
+        return False
+    if carrier.noun in GENERAL_WORDS:
+        return carrier.noun == "any_stand"
+    area, top = (math.prod(kind_of(each.noun).size[:2]) for each in (thing, carrier))
+    return area > top
 
 
 def _lies(bond: Bond, *, screens: bool = False) -> bool:

@@ -1,5 +1,7 @@
 """Which list a thing belongs to, and how its members stand to the head."""
 
+from collections.abc import Sequence
+
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
@@ -400,7 +402,14 @@ class Ties(Relating):
         if tie in ("around", "at") and self._share_others(thing, head):
             return True
         few = thing.count < 2 * head.count and thing.noun != head.noun
+        if tie == "on" and thing.count < head.count and self._lies_on_each(frame.members, head):
+            return True
         return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _lies_on_each(self, members: Sequence[Mention], head: Mention) -> bool:
+        """Whether each has one of what was listed before: "six tables with a vase and two cups on them"."""
+        bonds = (b for member in members for b in self.draft.bonds_of(member) if member.count == 1)
+        return any(b.kind == "on" and b.each and head in b.anchors for b in bonds)
 
     def _share_others(self, thing: Mention, head: Mention) -> bool:
         """Whether others that were told from these have so many each: "three with two chairs and two with four"."""
