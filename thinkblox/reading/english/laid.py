@@ -39,7 +39,8 @@ def _with_states(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     for at, chunk in enumerate(chunks):
         thing = next((c for c in reversed(made[-2:]) if not is_link(c, "mark", "comma")), None)
-        if is_link(chunk, "participles") and chunk.text.lower() in _STATES and isinstance(thing, Noun):
+        told = isinstance(chunk, Connector) and chunk.sort == "participles" and chunk.text.lower() in _STATES
+        if told and isinstance(chunk, Connector) and isinstance(thing, Noun):
             made.append(Adjective(chunk.start, chunk.end, chunk.text, states=[chunk.text.lower()]))
             made += [] if is_link(chunk_at(chunks, at + 1), "mark") else [replace(chunk, start=chunk.end)]
         else:

@@ -15,7 +15,8 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     named: dict[str, set[int]] = {}
     for at, chunk in enumerate(chunks):
-        if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.count:
+        count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
+        if isinstance(chunk, Noun) and count:
             some = chunk.of_known or _is_fewer(chunk, named.get(chunk.value, set()))
             if some and _is_told_of(chunks[at + 1 : at + 2 + _PLACED]):
                 before = made[-1] if made else None
@@ -23,7 +24,7 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
                 if isinstance(before, Connector) and is_link(before, "mark", "comma"):
                     made[-1] = replace(before, value="semicolon")
             if not some:
-                named.setdefault(chunk.value, set()).add(chunk.count)
+                named.setdefault(chunk.value, set()).add(count)
         made.append(chunk)
     return made
 
