@@ -508,3 +508,9 @@ def test_each_chair_has_its_own_mirror() -> None:
 def test_chairs_of_different_colours_are_not_passed_over() -> None:
     brief = read_brief("A library with four round tables, each with four chairs of a different colour.")
     assert brief.unknown
+
+
+def test_one_of_which_is_one_of_what_lies_there() -> None:
+    brief = read_brief("A hobby room with two workbenches. The second one has three lamps on it, one of which is red.")
+    assert [r.count for r in brief.requests if "red" in r.attributes] == [1]
+    assert not [r for r in brief.requests if r.category == "workbench" and "red" in r.attributes]

@@ -21,7 +21,7 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
         if (told := _so_many(made, chunk)) is not None:
             made += told
             continue
-        if (verb := _left_out(made[: len(made) - also], before, chunk)) is not None:
+        if (verb := _left_out(made[:-1] if also else made, before, chunk)) is not None:
             made[len(made) - also :] = [replace(verb, start=chunk.start, end=chunk.start)]
             made.append(chunk)
             continue

@@ -6,6 +6,8 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_link
 
+_BACK = 4
+"""So many chunks come before "one of which": several, where, of what, and a comma."""
 _PLACED = 3
 """So many chunks say at most where they are, before what is told of them."""
 
@@ -14,7 +16,8 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which fewer than were named are some of those; a comma before them ends what it follows."""
     made: list[Chunk] = []
     named: dict[str, set[int]] = {}
-    for at, chunk in enumerate(chunks):
+    for at, given in enumerate(chunks):
+        chunk = _of_which(made, given)
         count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
         if isinstance(chunk, Noun) and count:
             some = chunk.of_known or _is_fewer(chunk, named.get(chunk.value, set()))
@@ -27,6 +30,31 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
                 named.setdefault(chunk.value, set()).add(count)
         made.append(chunk)
     return made
+
+
+def _of_which(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
+    """The ones of "the second has three lamps on it, one of which is green", which are lamps."""
+    if len(made) < _BACK or not isinstance(chunk, Noun) or not chunk.of_known or not chunk.text.endswith(" of which"):
+        return chunk
+    several, link, it, comma = made[-_BACK:]
+    there = is_link(link, "prepositions") and isinstance(it, Noun) and it.kind == "pronoun" and it.value == "it"
+    if not (there and is_link(comma, "mark", "comma") and isinstance(several, Noun) and several.kind == "thing"):
+        return chunk
+    some = (several.count or 0) > (chunk.count or 0)
+    return (
+        replace(
+            several,
+            start=chunk.start,
+            end=chunk.end,
+            text=chunk.text,
+            count=chunk.count,
+            of_known=True,
+            plural=chunk.plural,
+            attributes=[],
+        )
+        if some
+        else chunk
+    )
 
 
 def _is_fewer(noun: Noun, counts: set[int]) -> bool:

@@ -58,7 +58,7 @@ def _across_the_same(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     side: tuple[str, Noun] | None = None
     for chunk in chunks:
-        part, of = (None, None, *made)[-2:]
+        part, of = made[-2:] if len(made) > 1 else (None, None)
         if is_link(chunk, "mark", "stop", "semicolon"):
             side = None
         elif (
