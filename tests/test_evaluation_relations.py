@@ -3,11 +3,13 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 from shapely import Polygon
 from shapely.affinity import rotate, translate
 
 from tests.judged_rooms import ROOM, WALLS, demands, part, scene, shelf, table, thing
 from thinkblox.evaluation import element_rules, object_rules
+from thinkblox.evaluation.annotations import RoomDemand
 from thinkblox.evaluation.bodies import distance
 from thinkblox.evaluation.room_file import RoomRecord
 from thinkblox.evaluation.room_judge import judge_room
@@ -285,3 +287,13 @@ def test_what_must_be_absent():
     assert [row.met for row in judge_room(no_cup, TWO_TABLES)] == [False, True]
     only_armchairs = demands(counts=[["eq", 1, "armchair"]], absent=["chair"])
     assert [row.met for row in judge_room(only_armchairs, scene(thing("armchair", (3.0, 2.0))))] == [True, True]
+
+
+@pytest.mark.parametrize(("sides", "shape", "met"), [((4, 4), "square", True), ((4, 5), "square", False)])
+def test_a_room_of_equal_sides_is_square(sides, shape, met):
+    x, y = sides
+    made = scene(room=replace(ROOM, floor=((0.0, 0.0), (x, 0.0), (x, y), (0.0, y))))
+    (judged,) = judge_room(demands(room=RoomDemand(shape=shape)), made)
+    assert judged.met == met
+    (judged,) = judge_room(demands(room=RoomDemand(shape="rectangle")), made)
+    assert judged.met

@@ -104,7 +104,7 @@ class RoomDemand(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         kind: such as "guest bedroom"; not visible in a room, so only the reading is judged by it.
         size: lengths of two sides of the floor [m].
-        shape: "rectangle" or "L".
+        shape: "rectangle", "square" or "L".
     """
 
     kind: str = ""

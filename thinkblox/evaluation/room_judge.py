@@ -219,5 +219,8 @@ def _floor_rows(demand: RoomDemand, scene: SceneRecord) -> list[JudgedRow]:
     if demand.shape is not None:
         corners = len(scene.room.floor)
         shape = {4: "rectangle", 6: "L"}.get(corners, f"{corners} corners")
-        rows.append(JudgedRow(kind="room", about="shape", demand=demand.shape, met=shape == demand.shape, says=shape))
+        square = shape == "rectangle" and abs((x1 - x0) - (y1 - y0)) <= SIZE_TOLERANCE
+        met = shape == demand.shape or (square and demand.shape == "square")
+        says = "square" if square else shape
+        rows.append(JudgedRow(kind="room", about="shape", demand=demand.shape, met=met, says=says))
     return rows
