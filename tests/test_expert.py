@@ -579,6 +579,11 @@ def test_several_small_things_in_the_corner_are_in_one():
     assert max(gap(a, b) for a, b in combinations(boxes_, 2)) < 1.0
 
 
+def test_mirrors_of_a_named_wall_hang_side_by_side_on_it():
+    done = room("A dance studio with two mirrors on the front wall.")
+    assert [m.support for m in of(done, "studio_mirror")] == ["south_wall", "south_wall"]
+
+
 def test_mirrors_over_basins_that_are_close_come_small_enough_for_one_each():
     done = room("In the bathroom, against the wall is a vanity with two sinks on it. Above each sink hangs a mirror.")
     basins, mirrors = of(done, "washbasin") or of(done, "sink"), of(done, "mirror")
