@@ -514,3 +514,18 @@ def test_one_of_which_is_one_of_what_lies_there() -> None:
     brief = read_brief("A hobby room with two workbenches. The second one has three lamps on it, one of which is red.")
     assert [r.count for r in brief.requests if "red" in r.attributes] == [1]
     assert not [r for r in brief.requests if r.category == "workbench" and "red" in r.attributes]
+
+
+@pytest.mark.parametrize(
+    ("told", "kind", "number"),
+    [("two of them armchairs", "armchair", 2), ("one of them a high chair", "high_chair", 1)],
+)
+def test_some_of_them_are_what_they_are_called(told: str, kind: str, number: int) -> None:
+    brief = read_brief(f"A dining table with five chairs, {told}.")
+    seats = {r.category: r.count for r in brief.requests if r.category in ("chair", kind)}
+    assert seats == {"chair": 5 - number, kind: number}
+
+
+def test_each_corner_at_the_front_is_two_corners() -> None:
+    brief = read_brief("A room with a speaker in each corner at the front.")
+    assert brief.request("speaker").count == 2

@@ -1,11 +1,13 @@
 """Some of what was named, of which something is told: "four chairs, the two chairs by the window are blue"."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
+_OF_THEM = re.compile(r"[a-z]+ of (?:them|which) ", re.IGNORECASE)
 _BACK = 4
 """So many chunks come before "one of which": several, where, of what, and a comma."""
 _PLACED = 3
@@ -16,12 +18,13 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which fewer than were named are some of those; a comma before them ends what it follows."""
     made: list[Chunk] = []
     named: dict[str, set[int]] = {}
-    for at, given in enumerate(chunks):
+    parted = [part for chunk in chunks for part in _parted(chunk)]
+    for at, given in enumerate(parted):
         chunk = _of_which(made, given)
         count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
         if isinstance(chunk, Noun) and count:
             some = chunk.of_known or _is_fewer(chunk, named.get(chunk.value, set()))
-            if some and _is_told_of(chunks[at + 1 : at + 2 + _PLACED]):
+            if some and _is_told_of(parted[at + 1 : at + 2 + _PLACED]):
                 before = made[-1] if made else None
                 chunk = chunk if chunk.of_known else replace(chunk, det="", of_known=True)
                 if isinstance(before, Connector) and is_link(before, "mark", "comma"):
@@ -29,7 +32,27 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
             if not some:
                 named.setdefault(chunk.value, set()).add(count)
         made.append(chunk)
+        if _are_bare(chunk, chunk_at(parted, at + 1)):
+            made.append(Connector("verbs", "be", chunk.end, chunk.end, "are"))
     return made
+
+
+def _parted(chunk: Chunk) -> list[Chunk]:
+    """The two of them, and the armchairs that these are, of "two of them armchairs"."""
+    told = _OF_THEM.match(chunk.text) if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.of_known else None
+    if told is None or not isinstance(chunk, Noun):
+        return [chunk]
+    some = Noun("number", "", chunk.start, chunk.start, told[0].strip(), count=chunk.count, of_known=True)
+    named = replace(chunk, text=chunk.text[told.end() :], count=None, of_known=False)
+    return [some, named]
+
+
+def _are_bare(some: Chunk, others: Chunk | None) -> bool:
+    """Whether some are said to be others without a verb: "five chairs, two of them armchairs"."""
+    if not isinstance(some, Noun) or not isinstance(others, Noun) or some.kind not in ("pronoun", "number"):
+        return False
+    known = some.of_known and some.text.lower().endswith((" of them", " of which"))
+    return known and others.kind == "thing" and others.det in ("", "a") and others.count in (None, 1)
 
 
 def _of_which(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
