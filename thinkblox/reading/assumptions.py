@@ -61,8 +61,6 @@ _PAID_AT = frozenset({"cash", "till", "checkout", "cashier", "cashiers", "pay"})
 
 _CABINETS = frozenset(("cabinet", "cupboard"))
 """What a base cabinet is called besides."""
-_COUNTERS = ("counter", "base_cabinet")
-"""Where a sink or hob is let in."""
 
 
 def assume(draft: Draft, fill: Fill) -> None:
@@ -935,7 +933,7 @@ def _build_in(draft: Draft) -> None:
         alone = [t for t in alone if _has_place(draft, t)]
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         plain = "counter" if _plainly_counted(draft) & _CABINETS else "base_cabinet"
-        cabinet = _unplaced_counter(draft) if thing.count in (None, 1) else None
+        cabinet = _unplaced_counter(draft, plain) if thing.count in (None, 1) else None
         cabinet = cabinet or _add(draft, plain, thing.count or 1)
         for bond in list(draft.bonds):
             if bond.subject is thing and bond.kind == "next_to" and bond.anchors == ("window",) and not bond.negated:
@@ -950,12 +948,12 @@ def _build_in(draft: Draft) -> None:
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 
-def _unplaced_counter(draft: Draft) -> Mention | None:
+def _unplaced_counter(draft: Draft, usual: str) -> Mention | None:
     """The one counter that is asked for, where nothing says where it stands; None where there is none."""
     habits = load_habits()
     counters = [t for t in draft.things if t.asked and habits.is_in(t.noun, "takes_built_in")]
     plain = len(counters) == 1 and counters[0].count in (None, 1) and not draft.bonds_of(counters[0])
-    return counters[0] if plain and counters[0].noun in _COUNTERS else None
+    return counters[0] if plain and (counters[0].noun == usual or counters[0].noun == "counter") else None
 
 
 def _share_cabinet(draft: Draft, cabinet: Mention) -> None:
