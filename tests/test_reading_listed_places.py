@@ -529,3 +529,28 @@ def test_some_of_them_are_what_they_are_called(told: str, kind: str, number: int
 def test_each_corner_at_the_front_is_two_corners() -> None:
     brief = read_brief("A room with a speaker in each corner at the front.")
     assert brief.request("speaker").count == 2
+
+
+def test_the_rest_with_a_coat_on_each_are_not_all() -> None:
+    brief = read_brief("A bar with eight stools, two of them empty and the rest with a coat on each.")
+    assert brief.request("coat").count == 6
+
+
+def test_a_second_easel_with_its_own_stool_has_another_stool() -> None:
+    brief = read_brief(
+        "A studio with an easel near the window and a stool in front of it; a second easel, with its own stool, near "
+        "the door."
+    )
+    assert sum(r.count for r in brief.requests if r.category == "stool") == 2
+
+
+def test_things_in_an_order_along_a_wall_may_follow_another_with_and() -> None:
+    brief = read_brief(
+        "A garage with a car in the middle and, along the back wall, from left to right, a bench and a fridge."
+    )
+    assert related(brief) == {
+        "car in_centre centre",
+        "bench against_wall far_wall",
+        "fridge against_wall far_wall",
+        "fridge right_of bench",
+    }

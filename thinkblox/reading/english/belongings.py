@@ -1,6 +1,7 @@
 """What belongs to the thing named just before: "a piano, its bench and a lamp", "its ladder facing the window"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, chunk_at
@@ -8,6 +9,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
 _OWNED = ("its ", "their ")
+_ITS_OWN = "its own "
 _STANDING = ("be", "stand")
 
 
@@ -16,7 +18,7 @@ def with_belongings(chunks: Sequence[Chunk]) -> list[Chunk]:
 
     Where else a part of a thing is to be is not understood.
     """
-    made = list(chunks)
+    made = _with_new(chunks)
     for at in range(len(made) - 1, 0, -1):
         own, link = made[at], made[at - 1]
         if not isinstance(own, Noun) or own.kind != "thing" or not own.text.lower().startswith(_OWNED):
@@ -28,6 +30,19 @@ def with_belongings(chunks: Sequence[Chunk]) -> list[Chunk]:
             after = chunk_at(made, at + 1)
             if isinstance(after, Connector) and is_link(after, "joins", "and") and not _is_owned(made, at + 2):
                 made[at + 1] = Connector("mark", "comma", after.start, after.end, ",")
+    return made
+
+
+def _with_new(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks in which another has "its own stool", which is none that was named before."""
+    made: list[Chunk] = []
+    named: set[str] = set()
+    for chunk in chunks:
+        if isinstance(chunk, Noun) and chunk.kind == "thing":
+            own = chunk.det == "my" and chunk.text.lower().startswith(_ITS_OWN) and chunk.value in named
+            named.add(chunk.value)
+            chunk = replace(chunk, det="a") if own and is_link(made[-1], "prepositions", "with") else chunk
+        made.append(chunk)
     return made
 
 

@@ -18,7 +18,7 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which fewer than were named are some of those; a comma before them ends what it follows."""
     made: list[Chunk] = []
     named: dict[str, set[int]] = {}
-    parted = [part for chunk in chunks for part in _parted(chunk)]
+    parted = [part for chunk in _without_each(chunks) for part in _parted(chunk)]
     for at, given in enumerate(parted):
         chunk = _of_which(made, given)
         count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
@@ -34,6 +34,20 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
         made.append(chunk)
         if _are_bare(chunk, chunk_at(parted, at + 1)):
             made.append(Connector("verbs", "be", chunk.end, chunk.end, "are"))
+    return made
+
+
+def _without_each(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with "the rest with a coat" for "the rest with a coat on each", which are each of the rest."""
+    made: list[Chunk] = []
+    for chunk in chunks:
+        rest, has, what, on = (*(None,) * 4, *made[-4:])[-4:]
+        each = isinstance(chunk, Noun) and chunk.kind == "pronoun" and chunk.value == "each"
+        held = is_link(has, "prepositions", "with") and isinstance(what, Noun) and what.det == "a"
+        if each and held and is_link(on, "prepositions") and isinstance(rest, Noun) and rest.value == "rest":
+            made.pop()
+        else:
+            made.append(chunk)
     return made
 
 
