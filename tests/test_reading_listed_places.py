@@ -554,3 +554,14 @@ def test_things_in_an_order_along_a_wall_may_follow_another_with_and() -> None:
         "fridge against_wall far_wall",
         "fridge right_of bench",
     }
+
+
+def test_rows_of_so_many_by_so_many_measure_nothing() -> None:
+    brief = read_brief("A yoga studio with rows of mats, four by three, and a speaker.")
+    assert brief.request("yoga_mat").count == 12
+    assert (brief.width, brief.depth) == (None, None)
+
+
+def test_behind_every_other_one_is_behind_half_of_them() -> None:
+    brief = read_brief("A reading room with four armchairs, a floor lamp behind every other one.")
+    assert brief.request("floor_lamp").count == 2

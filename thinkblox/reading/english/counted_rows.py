@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.said import is_link
 
 _A_ROW = -1
@@ -15,6 +15,8 @@ _FACING = ("left_wall", "right_wall")
 _BOTH = 2
 _REACH = 9
 """So many chunks tell at most how many each row has, and how many rows there are."""
+_BY_NUMBER = re.compile(r"[a-z0-9]+ ?(?:by|x) ?[a-z0-9]+")
+"""Two numbers without a unit."""
 _ROW = re.compile(r"(?:in|of|from) the (?:first|second|third|fourth|fifth|last|front|back|middle|rear) (?:row|column)")
 """What says in which row something is."""
 
@@ -25,7 +27,9 @@ _THOSE = ("those", "the ones", "all those", "all of those")
 
 def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands in rows is counted: twenty desks in four rows."""
-    chunks = _each_with(_on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(chunks)))))))
+    chunks = _each_with(
+        _on_walls(_joined_walls(_of_one_row(_one_of_each(_told_rows(_of_columns(_by_number(chunks)))))))
+    )
     found: list[Chunk] = []
     at = 0
     while at < len(chunks):
@@ -43,6 +47,21 @@ def with_counted_rows(chunks: Sequence[Chunk]) -> list[Chunk]:
         found.append(_in_rows(chunk, found) if isinstance(chunk, Noun) and chunk.rows > 1 else chunk)
         at += 1
     return found
+
+
+def _by_number(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with four rows of three for "rows of mats, four by three", which measures nothing."""
+    made = list(chunks)
+    for at in range(len(made) - 3, -1, -1):
+        things, mark, size = made[at : at + 3]
+        if not isinstance(things, Noun) or things.rows != _A_ROW or not isinstance(size, Measured):
+            continue
+        lengths = [length.metres for length in size.size.lengths]
+        plain = not things.count and is_link(mark, "mark") and _BY_NUMBER.fullmatch(size.size.text.lower())
+        if plain and len(lengths) == _BOTH and all(length.is_integer() for length in lengths):
+            rows, each = map(int, lengths)
+            made[at : at + 3] = [replace(things, rows=rows, count=rows * each, end=size.end)]
+    return made
 
 
 def _one_of_each(chunks: Sequence[Chunk]) -> list[Chunk]:

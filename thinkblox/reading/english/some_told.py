@@ -8,6 +8,7 @@ from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _OF_THEM = re.compile(r"[a-z]+ of (?:them|which) ", re.IGNORECASE)
+_EVERY = re.compile(r"every ", re.IGNORECASE)
 _BACK = 4
 """So many chunks come before "one of which": several, where, of what, and a comma."""
 _PLACED = 3
@@ -20,7 +21,7 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
     named: dict[str, set[int]] = {}
     parted = [part for chunk in _without_each(chunks) for part in _parted(chunk)]
     for at, given in enumerate(parted):
-        chunk = _of_which(made, given)
+        chunk = _every_other(made, _of_which(made, given))
         count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
         if isinstance(chunk, Noun) and count:
             some = chunk.of_known or _is_fewer(chunk, named.get(chunk.value, set()))
@@ -92,6 +93,15 @@ def _of_which(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
         if some
         else chunk
     )
+
+
+def _every_other(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
+    """The armchair of "four armchairs, a lamp behind every other one"."""
+    if not isinstance(chunk, Noun) or chunk.kind != "number" or not chunk.every or not _EVERY.match(chunk.text):
+        return chunk
+    several = (c for c in reversed(made) if isinstance(c, Noun) and c.kind == "thing" and (c.count or 0) > 1)
+    named = next(several, None)
+    return chunk if named is None else replace(chunk, kind="thing", value=named.value, called=named.called, count=None)
 
 
 def _is_fewer(noun: Noun, counts: set[int]) -> bool:
