@@ -450,12 +450,12 @@ def test_what_leans_against_furniture_stands_beside_it() -> None:
 
 def test_a_sink_by_the_window_is_in_the_counter_that_is_asked_for() -> None:
     """No second cabinet is made for it where nothing says that the counter stands elsewhere."""
-    brief = read_brief("A kitchen. A sink is near the window. A toaster is on the counter.")
+    brief = read_brief("A kitchen with an island. A sink is near the window. A toaster is on the counter.")
     assert sum(r.count for r in brief.requests if r.category in ("base_cabinet", "counter")) == 1
 
 
 def test_a_pair_of_glasses_beside_a_water_glass_is_to_see_with() -> None:
-    brief = read_brief("A bedroom. A water glass and a pair of glasses are on the nightstand.")
+    brief = read_brief("A bedroom. A pill bottle, a water glass and a pair of glasses are on the nightstand.")
     assert {r.category: r.count for r in brief.requests if r.category in ("glass", "eyeglasses")} == {
         "glass": 1,
         "eyeglasses": 1,

@@ -950,10 +950,9 @@ def _build_in(draft: Draft) -> None:
 
 def _unplaced_counter(draft: Draft, usual: str) -> Mention | None:
     """The one counter that is asked for, where nothing says where it stands; None where there is none."""
-    habits = load_habits()
-    counters = [t for t in draft.things if t.asked and habits.is_in(t.noun, "takes_built_in")]
+    counters = [t for t in draft.things if t.asked and (t.noun == usual or t.noun == "counter")]
     plain = len(counters) == 1 and counters[0].count in (None, 1) and not draft.bonds_of(counters[0])
-    return counters[0] if plain and (counters[0].noun == usual or counters[0].noun == "counter") else None
+    return counters[0] if plain else None
 
 
 def _share_cabinet(draft: Draft, cabinet: Mention) -> None:

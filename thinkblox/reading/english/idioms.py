@@ -145,8 +145,8 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
 
 def _is_of_drinks(tokens: Sequence[Token]) -> bool:
     """Whether drinks are spoken of: a water glass beside a pair of glasses tells the two apart."""
-    following = (*(token.text for token in tokens[1:]), "")
-    return any(t.text in _DRINKS and after not in _GLASSES for t, after in zip(tokens, following, strict=False))
+    drinks = [at for at, token in enumerate(tokens) if token.text in _DRINKS]
+    return bool(drinks) and not any(token.text in _GLASSES for at in drinks for token in tokens[at + 1 : at + 2])
 
 
 def _turned_ends(tokens: Sequence[Token], at: int) -> list[Token]:
