@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.test_reading_shared import asked, related, told
+from tests.briefs import asked, related, told
 from thinkblox.reading import read_brief
 
 
