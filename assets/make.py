@@ -28,7 +28,7 @@ from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
 from thinkblox.assets.stripes import patterned
 from thinkblox.errors import InputError
-from thinkblox.scene.asset import Asset, Link, Mount, Surface
+from thinkblox.scene.asset import Asset, Link, Mount, Surface, worded
 from thinkblox.value import Vec3
 
 _PROVENANCE = re.compile(r"(?P<how>procedural|stand_in):(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")
@@ -118,7 +118,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     asset = Asset(
         id="",
         category=name,
-        description=" ".join([*attributes, category.noun]),
+        description=worded(attributes, category.noun),
         size=size,
         mass=mass_of(category, (size[0] - before, *size[1:])),
         friction=category.friction,

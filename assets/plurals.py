@@ -85,6 +85,8 @@ _IRREGULAR: Mapping[str, str] = {
     "maracas": "maraca",
     "dominoes": "domino",
 }
+_INNER = ("shelves", "knives", "loaves")
+"""Irregular plurals that words are made with: "bookshelves"."""
 _SINGULAR = frozenset(
     (
         "gas bus lens canvas atlas iris trellis thermos chaos rhinoceros albatross cactus christmas scissors "
@@ -106,6 +108,8 @@ def singulars(word: str) -> Iterator[str]:
         yield _IRREGULAR[word]
     elif word.endswith("men") and len(word) > len("men") + 1:
         yield f"{word.removesuffix('men')}man"
+    elif word.endswith(_INNER):
+        yield singular(word)
     if word.endswith(_NO_PLURAL) or len(word) < 3:
         return
     for ending, stems in _ENDINGS:
@@ -118,6 +122,9 @@ def singular(word: str) -> str:
     """The likeliest singular of a lower-case noun by its spelling; the word itself where it has no plural ending."""
     if word in _IRREGULAR:
         return _IRREGULAR[word]
+    if word.endswith(_INNER):
+        many = next(ending for ending in _INNER if word.endswith(ending))
+        return word.removesuffix(many) + _IRREGULAR[many]
     if word in _SINGULAR or len(word) < 4 or not word.endswith("s") or word.endswith(_NO_PLURAL):
         return word
     if word.endswith("es") and word[:-2] in _SINGULAR:

@@ -1,6 +1,7 @@
 """What can be placed. Asset frame: origin at the centre of the footprint at the base, x to the front, y left, z up."""
 
 import math
+from collections.abc import Sequence
 from functools import cached_property, lru_cache
 from hashlib import sha256
 from typing import Annotated, Literal
@@ -257,12 +258,14 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
 
     @property
     def name(self) -> str:
-        """What it is called: its description without the attributes before it."""
-        return self.description.removeprefix(" ".join(self.attributes)).strip()
+        """What it is called: its description without the attributes before and after it."""
+        before, after = _around(self.attributes)
+        plain = self.description.removeprefix(" ".join(self.attributes)).strip()
+        return plain.removeprefix(before).removesuffix(after).strip()
 
     def called(self, name: str) -> "Asset":
-        """The same thing by another name, the end of its description: a "white massage table" as "treatment table"."""
-        return self.described(" ".join([*self.attributes, name]))
+        """The same thing by another name in its description: a "white massage table" as "treatment table"."""
+        return self.described(worded(self.attributes, name))
 
     def described(self, description: str) -> "Asset":
         """The same thing with another description, and an id of its own."""
@@ -309,6 +312,18 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
             if visual.look.texture is not None:
                 found[(visual.look.texture, "png")] = None
         return tuple(found)
+
+
+def worded(attributes: Sequence[str], name: str) -> str:
+    """What a thing of some attributes is called: "long table for 6", and not "long for-6 table"."""
+    before, after = _around(attributes)
+    return " ".join(part for part in (before, name, after) if part)
+
+
+def _around(attributes: Sequence[str]) -> tuple[str, str]:
+    """The attributes that are said before a name, and those after it."""
+    after = [a.replace("-", " ") for a in attributes if a.startswith("for-")]
+    return " ".join(a for a in attributes if not a.startswith("for-")), " ".join(after)
 
 
 @lru_cache(maxsize=512)

@@ -58,9 +58,9 @@ def shared(subject: Landmark, anchor: Landmark) -> float:
 
 
 def angle_to(subject: Landmark, anchor: Landmark) -> float:
-    """Angle between where the subject looks and the anchor's nearest point or centre; 0 when it looks straight at it.
+    """Angle between where the subject looks and the middle of the anchor; 0 when it looks straight at any part of it.
 
-    What hangs on a wall is faced too by what is turned squarely to it, as every desk of a class faces the board.
+    Of a place of the room its nearest point counts as well as its middle. What hangs on a wall is faced too by what is turned squarely to it, as every desk of a class faces the board.
     """
     target = place_of(anchor)
     yaws = (subject.gaze, subject.gaze + 180.0) if subject.front == "two" else (subject.gaze,)
@@ -73,8 +73,10 @@ def _angle_of(subject: Landmark, yaw: float, anchor: Landmark, target: BaseGeome
     end = (start.x + ahead[0] * reach, start.y + ahead[1] * reach)
     if not target.covers(start) and LineString([(start.x, start.y), end]).intersects(target):
         return 0.0
-    nearest = nearest_points(start, target)[1]
-    spots = [anchor.centre, (nearest.x, nearest.y)]
+    spots = [anchor.centre]
+    if anchor.kind != "object":
+        nearest = nearest_points(start, target)[1]
+        spots.append((nearest.x, nearest.y))
     bearings = [bearing(subject.centre, spot) for spot in spots if math.dist(spot, subject.centre) > CONTACT]
     if anchor.hung and anchor.to_local(subject.centre)[0] > 0.0:
         bearings.append(anchor.yaw + 180.0)

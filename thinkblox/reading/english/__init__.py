@@ -49,6 +49,7 @@ from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
 from thinkblox.reading.english.laid import with_laid
+from thinkblox.reading.english.likenesses import with_likenesses
 from thinkblox.reading.english.likings import with_likings
 from thinkblox.reading.english.lists_for_each import with_lists_for_each
 from thinkblox.reading.english.moods_told import with_moods_told
@@ -207,6 +208,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_on_it_last,
         with_totals,
         with_orders_not,
+        with_likenesses,
         with_likings,
         with_lists_for_each,
         with_outside,

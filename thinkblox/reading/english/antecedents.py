@@ -17,6 +17,7 @@ from thinkblox.assets import facts_of, kind_of, revision
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.referents import Referents, is_small
 from thinkblox.reading.english.survey import Occurrence, Survey, survey
 
@@ -71,6 +72,7 @@ class Antecedents:
         self._meant = meant
         self._chunks = chunks
         self._starts = [chunk.start for chunk in chunks]
+        self._nouns = {chunk.start: chunk for chunk in reversed(chunks) if isinstance(chunk, Noun)}
         self.pointed: dict[int, Mention] = {}
         self.unclear: list[OpenReference] = []
         self._seen: tuple[int, Survey] | None = None
@@ -137,7 +139,7 @@ class Antecedents:
     def is_named_alone(self, thing: Mention) -> bool:
         """Whether it was named last without the others of its kind: "the left nightstand"."""
         start = max((start for start, things in self._meant.items() if thing in things), default=-1)
-        named = next((c for c in self._chunks if c.start == start and isinstance(c, Noun)), None)
+        named = self._nouns.get(start)
         return named is not None and not named.many and list(self._meant[start]) == [thing]
 
     def _is_owner(self, thing: Mention, start: int) -> bool:
@@ -278,6 +280,8 @@ class Antecedents:
             return True
         if own is not None and named.noun in own.owners and (named.noun.each or own.noun.each):
             return True
+        if thing.noun.replace("_", " ") in grammar().lists["pairs"]:
+            return False
         return not (thing.many or (named.noun.many and not self._referents.is_apart(thing)))
 
     def _place(self, kind: str, named: Occurrence, own: Occurrence | None, seen: Survey) -> float:

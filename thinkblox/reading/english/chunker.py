@@ -386,7 +386,8 @@ class Cutter:
         if (said := self._restated()) is not None:
             return said
         found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
-        return found or self._lack() or self._after_modal() or self._described() or self._said_round()
+        found = found or self._lack() or self._after_modal() or self._described()
+        return found or self._said_round() or self._shade_of_rest()
 
     def _restated(self) -> Stray | Connector | None:
         """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""
@@ -444,6 +445,17 @@ class Cutter:
         said = isinstance(last, Connector) and (last.sort, last.value) in (("verbs", "be"), ("negations", "not"))
         joined |= said and grammar().at(self.tokens, self.at + 1, "prepositions", "inverses") is not None
         return self._phrases.adjective(self.at) if ends or joined else None
+
+    def _shade_of_rest(self) -> Adjective | None:
+        """Read "the remaining ones orange" as their colour, which is a fruit too."""
+        last = self.made[-1] if self.made else None
+        if not isinstance(last, Noun) or last.kind not in ("number", "pronoun") or last.det != "other":
+            return None
+        word = self.tokens[self.at]
+        noun = self._phrases.read(self.at) if word.text in self.lexicon.begun("attribute") else None
+        if noun is None or not noun.material or noun.det or noun.end != self.at + 1:
+            return None
+        return Adjective(self.at, noun.end, word.shown, attributes=[noun.material])
 
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""

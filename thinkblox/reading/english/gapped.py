@@ -4,10 +4,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.hanging import can_hang
 from thinkblox.reading.english.said import is_holding, is_link
 
 _SECOND = 2
+_GAP = 6
+"""So many chunks come before where the second is: the first, a verb, where, "and" and the second."""
 _ALSO = ("also", "just", "only")
 """What may stand where the verb is left out."""
 
@@ -18,6 +22,8 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
     for chunk in chunks:
         also = bool(made) and isinstance(made[-1], Connector) and made[-1].text.lower() in _ALSO
         before = made[-1 - also] if len(made) > also else None
+        if (hung := _hung_too(made, chunk)) is not None:
+            made.append(hung)
         if (told := _so_many(made, chunk)) is not None:
             made += told
             continue
@@ -38,6 +44,19 @@ def with_gapped(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
     return made
+
+
+def _hung_too(made: Sequence[Chunk], chunk: Chunk) -> Connector | None:
+    """The verb that is left out of "a map hangs above the sofa and a coat rack next to the door"."""
+    if not is_link(chunk, "prepositions") or len(made) < _GAP:
+        return None
+    first, verb, link, _, joint, other = made[-_GAP:]
+    new = [n for n in (first, other) if isinstance(n, Noun) and n.kind == "thing" and not n.definite]
+    hangs = isinstance(verb, Connector) and is_link(verb, "verbs", "hang") and is_link(link, "prepositions")
+    if len(new) < len((first, other)) or not hangs or not isinstance(verb, Connector):
+        return None
+    again = is_link(joint, "joins", "and") and can_hang(kind_of(new[1].value))
+    return replace(verb, start=chunk.start, end=chunk.start) if again else None
 
 
 def _left_out(made: Sequence[Chunk], before: Chunk | None, chunk: Chunk) -> Connector | None:

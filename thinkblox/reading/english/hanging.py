@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
+from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
@@ -14,6 +15,8 @@ _BESIDE = ("left_of", "right_of", "next_to", "near", "between")
 _OUTLINE = 0.2
 """What has a larger outline stands at a wall where it cannot hang [m2]."""
 _HUNG = ("wall", "ceiling")
+_ON_WALL = "rel:on_wall"
+"""The condition of what a word means where it hangs on a wall."""
 
 
 def hang_up(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, list[Mention]]) -> None:
@@ -24,13 +27,16 @@ def hang_up(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, list[Ment
             beside = bool(bonds) and all(b.kind in _BESIDE and not b.negated for b in bonds)
             if not beside or thing not in draft.things or kind_of(thing.noun).mount in _HUNG:
                 continue
-            if _can_hang(kind_of(thing.noun)):
+            if can_hang(kind_of(thing.noun)):
                 bind(draft, Bond("on", thing, ("wall",)))
             else:
                 draft.unknown.append(f"{noun.text} {verb.text}")
 
 
-def _can_hang(kind: Category) -> bool:
+def can_hang(kind: Category) -> bool:
+    """Whether such a thing can be on a wall, be it in another form."""
+    if any(_ON_WALL in sense.conditions for sense in senses_of(kind.name)):
+        return True
     little = kind.size[0] * kind.size[1] <= _OUTLINE
     return little or f"wall_{kind.name}" in CATALOGUE or mount_of(kind, (WALL_MOUNTED,)) == "wall"
 

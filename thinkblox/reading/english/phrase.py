@@ -620,10 +620,10 @@ class PhraseReader(Heads):
         adjective |= bool({"size", "build"} & adjective_kinds(word))
         if adjective and self._goes_on_to_noun(at + 1):
             return True
-        if not (noun.det or noun.count is not None):
-            return False
-        coloured = self._is_colour(at + 1) and self.thing_at(at + 1) is None and self._goes_on_to_noun(at + 2)
-        return coloured or (self._is_one(at + 1) and not noun.of_known)
+        if self._is_colour(at + 1) and self.thing_at(at + 1) is None and self._goes_on_to_noun(at + 2):
+            return True
+        named = bool(noun.det) or noun.count is not None
+        return named and self._is_one(at + 1) and not noun.of_known
 
     def _goes_on_to_noun(self, at: int) -> bool:
         """Whether a noun comes, with or without adjectives before it."""

@@ -317,7 +317,8 @@ class Referents:
         while ahead:
             parts = self.parts.get(ahead.pop(), [])
             found, ahead = found + parts, ahead + parts
-        return [t for t in found if t in self.draft.things]
+        # Most were named lately: looked for from the end, they are found at once.
+        return [t for t in found if t in reversed(self.draft.things)]
 
     def last_family(self) -> list[Mention]:
         """The latest things of which some were set apart from others; empty where there are none."""

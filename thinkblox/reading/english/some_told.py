@@ -4,13 +4,15 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _OF_THEM = re.compile(r"[a-z]+ of (?:them|which) ", re.IGNORECASE)
 _EVERY = re.compile(r"every ", re.IGNORECASE)
 _BACK = 4
 """So many chunks come before "one of which": several, where, of what, and a comma."""
+_ASIDE = 7
+"""So many chunks an aside about some has at most, with what it is about before it and the comma after it."""
 _PLACED = 3
 """So many chunks say at most where they are, before what is told of them."""
 
@@ -32,6 +34,8 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
                     made[-1] = replace(before, value="semicolon")
             if not some:
                 named.setdefault(chunk.value, set()).add(count)
+        if (whole := _told_on(made, chunk)) is not None:
+            made += whole
         made.append(chunk)
         if _are_bare(chunk, chunk_at(parted, at + 1)):
             made.append(Connector("verbs", "be", chunk.end, chunk.end, "are"))
@@ -93,6 +97,26 @@ def _of_which(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
         if some
         else chunk
     )
+
+
+def _told_on(made: list[Chunk], chunk: Chunk) -> list[Chunk] | None:
+    """What goes on with all of several after what was told of some: "four chairs, one of which is red, | stand"."""
+    verb = isinstance(chunk, Connector) and chunk.sort == "verbs"
+    if not verb or not made or not is_link(made[-1], "mark", "comma"):
+        return None
+    said = [c for c in made[-_ASIDE:-1] if not is_link(c, "verbs", "be")][-4:]
+    if len(said) < 4 or not isinstance(said[3], Adjective) or not is_link(said[1], "mark", "comma"):
+        return None
+    several, some = said[0], said[2]
+    if not isinstance(several, Noun) or not isinstance(some, Noun) or not several.count or several.kind != "thing":
+        return None
+    if not some.of_known or not some.text.lower().endswith((" of which", " of them")) or several.count < 2:
+        return None
+    comma = made.pop()
+    return [
+        Connector("mark", "semicolon", comma.start, comma.end, ";"),
+        replace(several, start=chunk.start, end=chunk.start, det="all", attributes=[], unshown=[], states=[]),
+    ]
 
 
 def _every_other(made: Sequence[Chunk], chunk: Chunk) -> Chunk:

@@ -130,8 +130,9 @@ class Ties(Relating):
         """Whether it is one for all of several: "two bunks, each with a pillow on it, a ladder next to them"."""
         place = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
         them = place is not None and place.kind == "pronoun" and place.text.lower() == "them"
-        several = thing.many or any(member.many for member in frame.members if member is not thing)
-        return frame.each and self.separator in ("comma", "comma_and") and them and not several
+        if not (them and frame.each and self.separator in ("comma", "comma_and")):
+            return False
+        return not thing.many and not any(member.many for member in frame.members if member is not thing)
 
     def _is_told_of_one(self, frame: Listed, noun: Noun) -> bool:
         """Whether a verb comes that can be said of the one head only: "a shelf with a box and two mats runs there"."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 from thinkblox.assets.names import ThingName, begins_name
 from thinkblox.assets.plurals import singular
@@ -78,13 +79,13 @@ class Words:
             self._begun[at] = self._phrases_from(at)
         found: Known | None = None
         for length, meanings in self._begun[at]:
-            entries = [e for e in meanings if e.sort in sorts]
+            entries = [e for e in meanings if e.sort in sorts] if meanings else []
             if not entries and length == 1 and self.tokens[at].owner:
                 bare = self.tokens[at].text.removesuffix("s")
                 entries = [e for e in self.lexicon.phrases.get((bare,), ()) if e.sort in sorts]
             if entries:
-                entries.sort(key=lambda entry: sorts.index(entry.sort))
-                found = Known(entries[0], length, tuple(e for e in meanings if e is not entries[0]))
+                entry = min(entries, key=lambda e: sorts.index(e.sort)) if len(entries) > 1 else entries[0]
+                found = Known(entry, length, tuple(e for e in meanings if e is not entry))
         return self._plain(at, found) if "object" in sorts else found
 
     def _phrases_from(self, at: int) -> list[tuple[int, tuple[Entry, ...]]]:
@@ -110,13 +111,8 @@ class Words:
 
     def _plain(self, at: int, found: Known | None) -> Known | None:
         """The name of a thing that the catalogue only has a stand-in for, where it is longer than what was found."""
-        words: list[str] = []
-        for token in self.tokens[at : at + LONGEST]:
-            if token.kind != "word":
-                break
-            words.append(token.text)
-            if not begins_name(words[0]):
-                break
+        most = LONGEST if begins_name(self.tokens[at].text) else 1
+        words = [token.text for token in takewhile(_is_word, self.tokens[at : at + most])]
         least = found.length if found is not None else 0
         for length in range(len(words), least, -1):
             named = self._named(" ".join(words[:length]), length)
@@ -210,3 +206,7 @@ class Words:
 
     def _text(self, start: int, end: int) -> str:
         return " ".join(token.shown for token in self.tokens[start:end])
+
+
+def _is_word(token: Token) -> bool:
+    return token.kind == "word"
