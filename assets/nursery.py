@@ -44,7 +44,8 @@ def changing_table(spec: Spec) -> Build:
             WHITE_COTTON, (back[0] + 0.02, back[1] - 0.02), around(0, y - 0.05), (low, low + 0.06), edge=0.2, flat=True
         ),
     ]
-    build.surfaces = [s for s in build.surfaces if s.name != "top"]
+    padded = top_surface("top", (back[0] + 0.03, back[1] - 0.03), around(0, y - 0.07), low + 0.06)
+    build.surfaces = [padded, *(s for s in build.surfaces if s.name != "top")]
     return build
 
 

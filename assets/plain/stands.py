@@ -189,3 +189,41 @@ def claw_machine(spec: Spec, main: Finish, accent: Finish) -> Build:
         for k in range(12)
     ]
     return Build(body=body)
+
+
+def luggage_cart(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a low deck of the accent on wheels, under two hoops with a bar between them to hang clothes on."""
+    x, y, z = spec.size
+    finish, tube, wheel = spec.main(main), min(0.03, 0.06 * x), min(0.14, 0.1 * z)
+    deck = wheel + 0.06
+    ends = (-y / 2 + tube, y / 2 - tube)
+    body: list[Part] = [cushion(accent, (-x / 2, x / 2), (-y / 2, y / 2), (deck - 0.04, deck), radius=0.015)]
+    for end in ends:
+        for s in (-1, 1):
+            at = s * (x / 2 - tube)
+            body.append(disc(finish, (at, end), tube / 2, (deck, z - tube)))
+            body.append(cylinder(BLACK_PLASTIC, around(0.94 * at, wheel), around(0.9 * end, 0.04), (0, wheel), axis=1))
+            body.append(disc(GREY_METAL, (0.94 * at, 0.9 * end), 0.02, (wheel / 2, deck - 0.04)))
+        body.append(cylinder(finish, around(0, x - tube), around(end, tube), (z - tube, z), axis=0))
+    body.append(cylinder(finish, around(0, tube), around(0, y - 3 * tube), (z - tube, z), axis=1))
+    carried = ((-x / 2 + 2 * tube, x / 2 - 2 * tube), (-y / 2 + 2 * tube, y / 2 - 2 * tube))
+    return Build(body=body, surfaces=[top_surface("deck", *carried, deck, headroom=z - tube - deck)])
+
+
+def brazier(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a bowl on three legs with coals of the accent in it under a grate."""
+    x, y, z = spec.size
+    r, finish = min(x, y) / 2, spec.main(main)
+    low, rim = 0.4 * z, z - 0.012
+    feet = [(0.8 * r * cos(a), 0.8 * r * sin(a)) for a in (0.0, 2 * pi / 3, 4 * pi / 3)]
+    return Build(
+        body=[
+            *(rod(finish, (a, b, 0.012), (0.7 * a, 0.7 * b, low + 0.02), 0.024) for a, b in feet),
+            frustum(finish, (0, 0), (low, 0.82 * z), 0.6 * r, r),
+            disc(accent, (0, 0), 0.9 * r, (0.82 * z, 0.9 * z)),
+            disc(finish, (0, 0), r, (0.9 * z, rim)),
+            disc(IRON, (0, 0), 0.94 * r, (rim, z)),
+        ],
+        surfaces=[top_surface("grate", around(0, 1.3 * r), around(0, 1.3 * r), z, round=True)],
+        front="any",
+    )

@@ -487,9 +487,10 @@ class Clauses(Audit):
                     return False
                 if chunk.sort == "joins" and not isinstance(self.chunks[min(index + 1, len(self.chunks) - 1)], Noun):
                     return False
-                if chunk.sort in ("inverses", "participles") and chunk.value not in ("stand", "hang"):
-                    return False
                 told = self.predicate or (self.verb == "have" and self.separator == "comma_and")
+                having = ("stand", "hang", *(("hold", "carry", "inside") if told else ()))
+                if chunk.sort in ("inverses", "participles") and chunk.value not in having:
+                    return False
                 if chunk.sort == "prepositions" and chunk.value == "with" and not told:
                     return False
             elif isinstance(chunk, (Measured, Stray)):
