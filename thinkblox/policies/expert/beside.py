@@ -8,10 +8,11 @@ from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.scene.pairs import NEXT_TO
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.saying import turned
-from thinkblox.value import Vec2
+from thinkblox.value import Vec2, Vec3
 
 USUAL_GAPS = (0.1, 0.25, 0.4)
 _ELBOW, _BEHIND_EACH = 0.12, 0.35
@@ -24,6 +25,8 @@ SEATED_BEHIND = (0.15, 0.3, 0.05, 0.6)
 """The same of a chair, for who works there."""
 ALIGNED = 0.5
 """How much better it is to be before the middle of a whole run than of one of its parts."""
+APART = 4.0
+"""Cost per metre by which what comes between two is further from one of them than it needs to be."""
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
@@ -163,7 +166,10 @@ def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: in
 
 
 def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Idea]:
-    """In the middle of the anchors, lengthwise or across, parallel to the first."""
+    """In the middle of the room that the anchors leave, lengthwise or across, parallel to the first.
+
+    Where it can be next to both, it costs to be further from one.
+    """
     points = [p.position for p in anchors]
     x = sum(p[0] for p in points) / len(points)
     y = sum(p[1] for p in points) / len(points)
@@ -171,6 +177,9 @@ def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Id
     length = math.dist(first.position[:2], last.position[:2]) or 1.0
     ux, uy = (last.position[0] - first.position[0]) / length, (last.position[1] - first.position[1]) / length
     words = Constraint(kind="between", anchors=(first.id, last.id))
+    ends = [_half_along(anchor.size, anchor.yaw, (ux, uy)) for anchor in (first, last)]
+    middle = (ends[0] - ends[1]) / 2 if len(anchors) == 2 else 0.0
+    x, y = x + ux * middle, y + uy * middle
     flush = _flush(situation, first, last)
     for shift in (0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35):
         for aside in (0.0, 0.15, -0.15, 0.3, -0.3):
@@ -178,13 +187,22 @@ def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Id
                 px, py = x + ux * shift - uy * aside, y + uy * shift + ux * aside
                 yaw = (first.yaw + turn) % 360.0
                 place = Constraint(kind="at", values=(round(px, 3), round(py, 3)))
-                cost = 1.2 * abs(shift) + 2.0 * abs(aside) + (0.4 if turn and situation.asset.front != "any" else 0.0)
+                spare = (length - sum(ends)) / 2 - _half_along(situation.size, yaw, (ux, uy))
+                apart = max(0.0, spare + abs(shift) - NEXT_TO) if spare <= NEXT_TO else 0.0
+                cost = 1.2 * abs(shift) + 4.0 * abs(aside) + (0.4 if turn and situation.asset.front != "any" else 0.0)
+                cost += APART * apart
                 yield Idea((px, py, 0.0), yaw, (words, place, turned(yaw)), "it belongs to both", cost)
         if flush is not None:
             px, py = x + ux * shift + flush[0], y + uy * shift + flush[1]
             place = Constraint(kind="at", values=(round(px, 3), round(py, 3)))
             pose = (words, place, turned(first.yaw))
             yield Idea((px, py, 0.0), first.yaw, pose, "their backs are in one line", 1.2 * abs(shift) - 0.1)
+
+
+def _half_along(size: Vec3, yaw: float, direction: Vec2) -> float:
+    """How far the outline of a thing reaches from its middle along a direction of the room [m]."""
+    along = math.atan2(direction[1], direction[0]) - math.radians(yaw)
+    return (abs(math.cos(along)) * size[0] + abs(math.sin(along)) * size[1]) / 2
 
 
 def _flush(situation: Situation, first: Placement, last: Placement) -> Vec2 | None:

@@ -9,6 +9,7 @@ from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import BEFORE_BOARD
+from thinkblox.policies.expert.partners import room_between
 from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
@@ -125,7 +126,9 @@ def side_by_side(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[
 def _distances(situation: Situation, anchor: Placement) -> tuple[float, ...]:
     if situation.facts.is_in("seating") and is_seat(anchor.category):
         return TALKING
-    return situation.facts.viewing or USUAL_VIEWING
+    usual = situation.facts.viewing or USUAL_VIEWING
+    needed = room_between(situation, anchor.id)
+    return (needed, *usual) if needed else usual
 
 
 def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:

@@ -14,6 +14,8 @@ from thinkblox.value import Vec3
 
 AIRS = (0.08, 0.15, 0.25)
 """Left on either side of what comes between, the best first [m]."""
+ROOMY = 0.42
+"""Left on either side of what comes between a seat and what it looks at: it is next to both, and knees have room [m]."""
 PARTED, IN_LINE = 12.0, 4.0
 """Cost per metre that is missing beside the first of a pair, as the second stands across the room then; in a run."""
 
@@ -83,6 +85,16 @@ def beside_each(situation: Situation) -> float:
             (own,) = by
             widths[own] = widths.get(own, 0.0) + situation.kind(later).size[1] + AIRS[0]
     return round(max(widths.values()) + AIRS[0], 3) if widths else 0.0
+
+
+def room_between(situation: Situation, other: str) -> float:
+    """Free distance at which what was asked to come between the target and another stands next to both [m]; or 0."""
+    pair = {situation.target.id, other}
+    for later in situation.followers:
+        asked = any(tie.kind == "between" and tie.asked and pair == set(tie.anchors) for tie in later.ties)
+        if asked and _takes_floor(situation, later):
+            return round(min(situation.kind(later).size[:2]) + 2 * ROOMY, 3)
+    return 0.0
 
 
 def _takes_floor(situation: Situation, target: Target) -> bool:
