@@ -152,6 +152,7 @@ class Draft:
     written: str = ""
     told: list[str] = field(default_factory=list)
     themes: list[Theme] = field(default_factory=list)
+    dropped: set[Mention] = field(default_factory=set, repr=False, compare=False)
     _subjects: "_Subjects | None" = field(default=None, repr=False, compare=False)
 
     def shape_room(self, room: str, looks: list[str]) -> list[str]:
@@ -185,4 +186,5 @@ class Draft:
     def drop(self, thing: Mention) -> None:
         """Forget a thing and its bonds."""
         self.things = [t for t in self.things if t is not thing]
+        self.dropped.add(thing)
         self.unsay(b for b in self.bonds if b.subject is thing or thing in b.anchors)

@@ -10,6 +10,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.named_again import join_named_again
 from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE, is_small
@@ -56,6 +57,7 @@ class Clauses(Audit):
         self._begin()
         self._settle_ends()
         self._drop_groups()
+        join_named_again(self.draft, self.referents, self.named_by, self.meant)
         self._audit()
         self.draft.account = self.account.words()
         return self.draft

@@ -14,7 +14,7 @@ def with_likenesses(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which a model of something is a thing of that name."""
     made: list[Chunk] = []
     for chunk in chunks:
-        model, of = (None, None, *made)[-2:]
+        model, of = made[-2:] if len(made) > 1 else (None, None)
         if is_link(of, "prepositions", "of") and isinstance(model, Noun) and isinstance(chunk, Noun):
             shown = chunk.kind in ("thing", "abstract") and chunk.det in ("a", "the") and not chunk.many
             if model.kind == "thing" and model.value in _LIKENESSES and shown:

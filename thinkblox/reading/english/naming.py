@@ -190,6 +190,8 @@ class Naming(Several):
         first = self.referents.named(noun)
         if first is None:
             return []
+        if (told := self._told_by_place(noun, first)) is not None:
+            return [told]
         several = first.many or self.referents.total(first) > 1
         if several and not noun.plural and self._is_of_somebody(noun):
             return []
@@ -206,6 +208,23 @@ class Naming(Several):
         if self._is_one_of_them(noun, first):
             return [self.referents.part(first, 1)]
         return [first]
+
+    def _told_by_place(self, noun: Noun, first: Mention) -> Mention | None:
+        """Which of several that were told apart "the desk by the window", "the desk that is in the corner" means."""
+        family = self.referents.family(first)
+        if noun.plural or noun.det not in ("the", "my") or len(family) < 2:
+            return None
+        which = self._is_link(self.peek(), "joins", "which")
+        at = which + (which and self._is_link(self.peek(1), "verbs", "be", "stand"))
+        link, where = self.peek(at), self.peek(at + 1)
+        if not self._is_link(link, "prepositions", *_PLACED) or not isinstance(where, Noun) or not where.definite:
+            return None
+        stands = [(t, a) for t in family for b in self.draft.bonds_of(t) if not b.negated for a in b.anchors]
+        there = {t for t, a in stands if where.value == (a.noun if isinstance(a, Mention) else a)}
+        if len(there) != 1 or where.kind not in ("place", "thing"):
+            return None
+        self._go_past(where)
+        return there.pop()
 
     def _is_one_of_them(self, noun: Noun, first: Mention) -> bool:
         """Whether "the nightstand by the door" is one of several; one that nothing tells from the others is noted."""

@@ -55,9 +55,11 @@ _IN_WAY = re.compile(
 )
 """What a thing does to the way or the door, and no block."""
 _SETS = re.compile(r"\\.|\[(?:\\.|[^\]])*\]")
-_GROUPS = re.compile(r"\([^()]*\)")
 _OPTIONAL = re.compile(r".[?*{]", re.DOTALL)
-"""Parts of a pattern: sets of characters, groups that have none in them, and what may be left out."""
+_RUN = re.compile(r"[a-z' ]+")
+_KIND = re.compile(r"^\?(?::|<?=)")
+"""Parts of a pattern: sets of characters, what may be left out, words, and how a group that has to be there begins."""
+_NOT_THERE, _QUANTIFIED = ("?!", "?<!"), ("?", "*", "{")
 _THREE_D = re.compile(r"\b3[- ]?d(?= (?:model|scene|render|rendering|environment|room|layout|view|interior)\b)", re.I)
 
 
@@ -65,7 +67,8 @@ def with_plain_turns(text: str) -> str:
     """The text with plainer words, each as long as what it stands for where that is not shorter."""
     said = text.lower()
     for pattern, plainer in (*_TURNS, *_listed()):
-        if _word_of(pattern) in said and (turned := pattern.sub(_padded(plainer), text)) != text:
+        has = any(word in said for word in _words_of(pattern))
+        if has and (turned := pattern.sub(_padded(plainer), text)) != text:
             text, said = turned, turned.lower()
     return text
 
@@ -80,7 +83,7 @@ def without_not_followed(text: str) -> tuple[str, list[str]]:
 
     said = text.lower()
     for pattern in _not_followed():
-        if _word_of(pattern) in said:
+        if any(word in said for word in _words_of(pattern)):
             text = pattern.sub(left, text)
     return text, told
 
@@ -103,13 +106,40 @@ def _pattern(table: dict[str, Any], said: str) -> re.Pattern[str]:
 
 
 @cache
-def _word_of(pattern: re.Pattern[str]) -> str:
-    """What everything that a pattern finds has in it, to be looked for first; empty where that takes more to see."""
-    plain = _SETS.sub("\0", pattern.pattern)
-    while _GROUPS.search(plain):
-        plain = _GROUPS.sub("\0", plain)
-    runs = re.findall(r"[a-z' ]+", _OPTIONAL.sub("\0", plain).lower()) if "|" not in plain else []
-    return max(runs, key=len, default="")
+def _words_of(pattern: re.Pattern[str]) -> tuple[str, ...]:
+    """Words of which everything that a pattern finds has one in it, to be looked for first; none where all may have."""
+    return _needed(_SETS.sub("\0", pattern.pattern)) or ("",)
+
+
+def _needed(pattern: str) -> tuple[str, ...]:
+    """Such words of a pattern without sets of characters, the longest that there are; none where some ways have none."""
+    each: list[tuple[str, ...]] = []
+    for text, groups in _branches(pattern):
+        runs = [(run,) for run in _RUN.findall(_OPTIONAL.sub("\0", text).lower())]
+        inner = [_needed(_KIND.sub("", group)) for group in groups if not group.startswith(_NOT_THERE)]
+        found = [words for words in (*runs, *inner) if words]
+        each.append(max(found, key=lambda words: (min(map(len, words)), -len(words)), default=()))
+    return tuple(word for words in each for word in words) if all(each) else ()
+
+
+def _branches(pattern: str) -> list[tuple[str, list[str]]]:
+    """The ways of a pattern: what each has outside its groups, and the insides of the groups that it cannot do without."""
+    branches: list[tuple[str, list[str]]] = [("", [])]
+    depth = begin = 0
+    for at, char in enumerate(pattern):
+        text, groups = branches[-1]
+        if char == "(":
+            depth, begin = depth + 1, begin if depth else at + 1
+        elif char == ")":
+            depth -= 1
+            if not depth:
+                groups += [] if pattern[at + 1 : at + 2] in _QUANTIFIED else [pattern[begin:at]]
+                branches[-1] = (f"{text}\0", groups)
+        elif not depth and char == "|":
+            branches.append(("", []))
+        elif not depth:
+            branches[-1] = (text + char, groups)
+    return branches
 
 
 @cache

@@ -184,7 +184,9 @@ class Referents:
 
     def _carried(self, thing: Mention | None) -> list[Mention]:
         """What was said to lie on a thing."""
-        return [b.subject for b in self.draft.bonds if b.kind == "on" and thing is not None and thing in b.anchors]
+        if thing is None:
+            return []
+        return [b.subject for b in self.draft.bonds if b.kind == "on" and thing in b.anchors]
 
     def _lies(self, thing: Mention) -> bool:
         """Whether it was said to lie on another thing."""
@@ -317,8 +319,7 @@ class Referents:
         while ahead:
             parts = self.parts.get(ahead.pop(), [])
             found, ahead = found + parts, ahead + parts
-        # Most were named lately: looked for from the end, they are found at once.
-        return [t for t in found if t in reversed(self.draft.things)]
+        return [t for t in found if t not in self.draft.dropped]
 
     def last_family(self) -> list[Mention]:
         """The latest things of which some were set apart from others; empty where there are none."""
@@ -400,8 +401,7 @@ class Referents:
 
     def _recent(self) -> list[Mention]:
         spoken = dict.fromkeys([*reversed(self.spoken[-_MEMORY:]), *reversed(self.draft.things[-_MEMORY:])])
-        kept = set(map(id, self.draft.things))
-        return [t for t in spoken if id(t) in kept]
+        return [t for t in spoken if t not in self.draft.dropped]
 
     def plural(self) -> Iterator[Mention]:
         """Things that stand for several, the latest first."""
