@@ -233,6 +233,13 @@ def _low(body: Body, ordinary: Ordinary) -> tuple[bool, str]:
     return tall <= max(0.93 * usual, 0.45), f"{tall:.2f} m high, ordinarily {usual:.2f}"
 
 
+def _short(body: Body, ordinary: Ordinary) -> tuple[bool, str]:
+    """Low, or less long: a short bench is as high as others."""
+    is_low, how = _low(body, ordinary)
+    long, usual = 2 * max(body.half), max(ordinary[:2])
+    return is_low or long <= 0.9 * usual, f"{how}; {long:.2f} m long, ordinarily {usual:.2f}"
+
+
 def _wide(body: Body, ordinary: Ordinary) -> tuple[bool, str]:
     wide, usual = 2 * max(body.half), ordinary[1]
     return wide >= 1.07 * usual, f"{wide:.2f} m wide, ordinarily {usual:.2f}"
@@ -248,7 +255,8 @@ _SIZES: dict[str, Callable[[Body, Ordinary], tuple[bool, str]]] = {
     **dict.fromkeys(("small", "mini", "little", "tiny", "compact", "miniature"), _small),
     **dict.fromkeys(("large", "big", "huge", "oversized", "giant", "spacious"), _large),
     **dict.fromkeys(("tall", "high"), _tall),
-    **dict.fromkeys(("low", "short"), _low),
+    "low": _low,
+    "short": _short,
     "wide": _wide,
     **dict.fromkeys(("narrow", "slim", "slender"), _narrow),
 }

@@ -2,7 +2,7 @@
 
 import math
 
-from shapely import LineString, Point
+from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
@@ -60,7 +60,7 @@ def shared(subject: Landmark, anchor: Landmark) -> float:
 def angle_to(subject: Landmark, anchor: Landmark) -> float:
     """Angle between where the subject looks and the middle of the anchor; 0 when it looks straight at any part of it.
 
-    Of a place of the room its nearest point counts as well as its middle. What hangs on a wall is faced too by what is turned squarely to it, as every desk of a class faces the board.
+    Besides its middle that of what lies straight before the subject counts, and the nearest point of a place of the room.
     """
     target = place_of(anchor)
     yaws = (subject.gaze, subject.gaze + 180.0) if subject.front == "two" else (subject.gaze,)
@@ -74,13 +74,22 @@ def _angle_of(subject: Landmark, yaw: float, anchor: Landmark, target: BaseGeome
     if not target.covers(start) and LineString([(start.x, start.y), end]).intersects(target):
         return 0.0
     spots = [anchor.centre]
+    before = target.intersection(_swept(subject, ahead, reach))
+    if not before.is_empty and not target.covers(start):
+        spots.append((before.centroid.x, before.centroid.y))
     if anchor.kind != "object":
         nearest = nearest_points(start, target)[1]
         spots.append((nearest.x, nearest.y))
     bearings = [bearing(subject.centre, spot) for spot in spots if math.dist(spot, subject.centre) > CONTACT]
-    if anchor.hung and anchor.to_local(subject.centre)[0] > 0.0:
-        bearings.append(anchor.yaw + 180.0)
     return min((turn_between(yaw, bearing) for bearing in bearings), default=0.0)
+
+
+def _swept(subject: Landmark, ahead: Vec2, reach: float) -> Polygon:
+    """What lies straight before a thing as wide as it is."""
+    (x, y), half = subject.centre, subject.half[1]
+    left = (-ahead[1] * half, ahead[0] * half)
+    near = ((x + left[0], y + left[1]), (x - left[0], y - left[1]))
+    return Polygon([*near, *((px + ahead[0] * reach, py + ahead[1] * reach) for px, py in reversed(near))])
 
 
 def bearing(start: Vec2, end: Vec2) -> float:

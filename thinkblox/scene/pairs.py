@@ -378,7 +378,7 @@ def _about_centre(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
-    """In front of the anchor, fronts against each other, well apart; what hangs on facing walls, however far."""
+    """In front of the anchor, well apart, and one looks at the other; what hangs on facing walls, however far."""
     ahead, _ = _on_side(1, 0, math.inf)(subject, anchor)
     turn = turn_between(subject.gaze, anchor.gaze + 180.0)
     if anchor.kind == "opening" and subject.gaze != subject.yaw:
@@ -390,6 +390,8 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
     apart, aside = ground_gap(subject, anchor), 0.0
     if anchor.kind == "object" and not (subject.hung and anchor.hung):
         aside = min(past_centre(subject, anchor), past_centre(anchor, subject))
+    if anchor.kind == "object":
+        turn = min(turn, angle_to(subject, anchor), angle_to(anchor, subject))
     text = f"{subject.name} {apart:.2f} m from {anchor.name}, {max(turn, aside):.0f} degrees off facing it"
     least, most = ACROSS
     if subject.hung and anchor.hung:

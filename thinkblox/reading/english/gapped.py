@@ -10,6 +10,9 @@ from thinkblox.reading.english.hanging import can_hang
 from thinkblox.reading.english.said import is_holding, is_link
 
 _SECOND = 2
+_LATTER = "latter"
+_CLAUSE = 7
+"""So many chunks a clause between commas has at most, with the word before it."""
 _GAP = 6
 """So many chunks come before where the second is: the first, a verb, where, "and" and the second."""
 _ALSO = ("also", "just", "only")
@@ -61,15 +64,30 @@ def _hung_too(made: Sequence[Chunk], chunk: Chunk) -> Connector | None:
 
 def _left_out(made: Sequence[Chunk], before: Chunk | None, chunk: Chunk) -> Connector | None:
     """The verb that is left out between "the third", "each of the other two" and the new thing that it has."""
-    if not isinstance(before, Noun) or not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.definite:
+    if not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.definite:
+        return None
+    if (which := _relative(made)) is not None:
+        made, before = made[: which + 1], made[which]
+    if not isinstance(before, Noun):
         return None
     some = before.kind == "number" and (before.det in ("the", "other") or before.of_known)
     if not (some or _is_other(before)) or not (chunk.det == "a" or chunk.count or chunk.plural):
         return None
     joint = made[-2] if len(made) > 1 else None
-    if not (is_link(joint, "mark", "comma") or is_link(joint, "joins", "and")):
+    if before.value == _LATTER and is_link(joint, "mark", "semicolon"):
+        made = [*made[:-2], before, before]
+    elif not (is_link(joint, "mark", "comma") or is_link(joint, "joins", "and")):
         return None
     return next((verb for verb, _ in _had(made[:-1])), None)
+
+
+def _relative(made: Sequence[Chunk]) -> int | None:
+    """Where what a clause between commas is about stands: "the latter, which is in the corner, | a lamp"."""
+    if not made or not is_link(made[-1], "mark", "comma"):
+        return None
+    least = max(2, len(made) - _CLAUSE)
+    which = next((n for n in range(len(made) - 2, least - 1, -1) if is_link(made[n], "joins", "which")), 0)
+    return which - 2 if which and is_link(made[which - 1], "mark", "comma") else None
 
 
 def _had(made: Sequence[Chunk]) -> Iterator[tuple[Connector, Noun]]:
@@ -97,7 +115,7 @@ def _so_many(made: Sequence[Chunk], chunk: Chunk) -> list[Chunk] | None:
 
 def _is_other(noun: Noun) -> bool:
     """Whether "the third", "the other" comes, of which nothing is told but what it has."""
-    other = noun.ordinal > 1 if noun.kind == "number" else noun.kind == "pronoun" and noun.value == "other"
+    other = noun.ordinal > 1 if noun.kind == "number" else noun.kind == "pronoun" and noun.value in ("other", _LATTER)
     return other and not (noun.attributes or noun.unshown)
 
 

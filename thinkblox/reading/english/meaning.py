@@ -254,7 +254,8 @@ class Meanings:
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
         if said.value == "each" and kind == "at" and subjects and is_seat(subjects[-1]):
-            plural = [t for t in (*likely, *self.referents.plural()) if t.many and _is_sat_at(t)] or plural
+            every = [t for t in (*likely, *self.referents.plural()) if t.many]
+            plural = [t for t in every if _is_sat_at(t)] or [t for t in every if not is_small(t)] or plural
         anchors = two or (
             tuple(plural[:1])
             if plural and (kind != "between" or likely[:1] == plural[:1])

@@ -26,6 +26,9 @@ def with_some_told(chunks: Sequence[Chunk]) -> list[Chunk]:
         chunk = _every_other(made, _of_which(made, given))
         count = chunk.count if isinstance(chunk, Noun) and chunk.kind == "thing" else None
         if isinstance(chunk, Noun) and count:
+            if not chunk.of_known and _is_one_of(chunk, made, parted[at + 1 : at + _PLACED]):
+                made.append(Noun("number", "", chunk.start, chunk.end, "one", count=1))
+                continue
             some = chunk.of_known or _is_fewer(chunk, named.get(chunk.value, set()))
             if some and _is_told_of(parted[at + 1 : at + 2 + _PLACED]):
                 before = made[-1] if made else None
@@ -131,6 +134,21 @@ def _every_other(made: Sequence[Chunk], chunk: Chunk) -> Chunk:
 def _is_fewer(noun: Noun, counts: set[int]) -> bool:
     """Whether it points at fewer than the so many that were named once."""
     return noun.det in ("the", "these", "those") and len(counts) == 1 and 1 < (noun.count or 0) < min(counts)
+
+
+def _is_one_of(noun: Noun, made: Sequence[Chunk], after: Sequence[Chunk]) -> bool:
+    """Whether it is one of two that the sentence named: "two candles, one candle left of the vase, one right of it"."""
+    after_comma = bool(made) and is_link(made[-1], "mark", "comma", "colon")
+    if any(isinstance(chunk, Noun) and chunk.det == "each" for chunk in after):
+        return False
+    if noun.count != 1 or not noun.text.lower().startswith("one ") or noun.attributes or not after_comma:
+        return False
+    for chunk in reversed(made):
+        if is_link(chunk, "mark", "stop"):
+            return False
+        if isinstance(chunk, Noun) and chunk.value == noun.value and chunk.kind == "thing":
+            return (chunk.count or 0) > 1
+    return False
 
 
 def _is_told_of(after: Sequence[Chunk]) -> bool:
