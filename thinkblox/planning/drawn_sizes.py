@@ -54,10 +54,10 @@ def _drawn(request: Request, seed: int, *, close: bool, tight: bool, carries: bo
     told = not words.isdisjoint(kind.variants) or any(not word.isalpha() for word in words)
     factors = [_factor(low, high, share, close=close) for (low, high), share in zip(_ranges(kind), shares, strict=True)]
     usual, plain = (size_for(kind, said, np.random.default_rng(0)) for said in (words, frozenset[str]()))
-    if usual[0] == usual[1]:
-        factors[1] = factors[0]
     factors = [max(_CARRYING if tight else 1.0, factor) for factor in factors] if carries else factors
     factors = [_as_said(factor, side, of) for factor, side, of in zip(factors, usual, plain, strict=True)]
+    if usual[0] == usual[1]:
+        factors[1] = factors[0]  # What is square or round stays so.
     least, most = kind.size_range
     x, y, z = (
         min(max(round(side * factor ** (_SAID if told else 1.0), 2), a), b)

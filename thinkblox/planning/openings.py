@@ -135,7 +135,7 @@ def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]
         twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO and not _hangs_above(brief)
         usually = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
         usually = 1 if _for_row(brief, room) else usually
-        count = panes.count if panes and panes.count else usually
+        count = max(1, panes.count - _walls_needed(brief)) if panes and panes.count else usually
         if usual and type_.entered_at_end:
             wanted += _along_sides(brief, room, count)
         else:
@@ -196,6 +196,13 @@ def _beside_doors(brief: Brief) -> float:
     """
     by = _asked_by(brief, "door", ("next_to",))
     return max(map(_width_of_wall, by)) if sum(request.count for request in by) > 1 else 0.0
+
+
+def _walls_needed(brief: Brief) -> int:
+    """One wall of a house of glass for what is asked to stand against one, or to hang there, and would darken it."""
+    by = _asked_by(brief, "wall", ("against_wall", "on"))
+    high = (kind_of(r.category).mount == "wall" or kind_of(r.category).size[2] > _SILL for r in by)
+    return int(any(high))
 
 
 def _beside_windows(brief: Brief) -> float:

@@ -353,7 +353,9 @@ class Referents:
         whole.most = None if whole.most is None else max(whole.most - count, 0)
         whole.plural = whole.count > 1
         self.draft.things.insert(self.draft.things.index(whole), part)
-        self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
+        for bond in self.draft.bonds_of(whole):
+            # One alone stands at one of the walls that several are shared out to.
+            self.draft.bonds.append(replace(bond, subject=part, spread=bond.spread if count > 1 else 0))
         for bond in self.draft.bonds:
             if whole in bond.anchors and bond.subject is not part:
                 at = bond.anchors.index(whole)
