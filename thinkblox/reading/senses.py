@@ -27,7 +27,7 @@ def choose_senses(draft: Draft, expected: Collection[str] = ()) -> None:
     for _ in range(_ROUNDS):
         company = {thing.noun for thing in draft.things} | set(expected)
         bonds: dict[int, list[Bond]] = {}
-        for bond in draft.bonds:
+        for bond in (b for b in draft.bonds if not b.negated):
             for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Mention))}:
                 bonds.setdefault(id(thing), []).append(bond)
         final = [_sense(thing, draft.room, company, bonds.get(id(thing), [])) for thing in draft.things]

@@ -19,6 +19,7 @@ from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.english.said import is_link
 from thinkblox.reading.english.survey import Occurrence, Survey, survey
 
 _WINDOW = 60
@@ -54,6 +55,8 @@ class OpenReference:
     one: Mention
     other: Mention
 
+_OVER, _CARRIED = ("above", "under"), ("on", "on_top", "inside")
+"""Relations of what is over or under another, and of what lies on it or in it."""
 
 class Antecedents:
     """Weighs what pronouns may mean.
@@ -97,8 +100,15 @@ class Antecedents:
         if one and several and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
         by = weights()
+        apart = kind in _OVER or (kind not in _CARRIED and not load_habits().is_in(noun, "small"))
+        again = self._pointed_before(where[0]) if apart else None
         ranked = [
-            Antecedent(c.thing, c.score + by["reader"] * (c.thing is found and not (one and c.several)))
+            Antecedent(
+                c.thing,
+                c.score
+                + by["reader"] * (c.thing is found and not (one and c.several))
+                + by["again"] * (c.thing is again),
+            )
             for c in self.ranked(where[0], kind, subjects, noun, one=one)
         ]
         if found not in [c.thing for c in ranked]:
@@ -115,6 +125,14 @@ class Antecedents:
         if not self._is_owner(best.thing, where[0]):
             self.pointed[where[0]] = best.thing
         return best.thing
+
+    def _pointed_before(self, start: int) -> Mention | None:
+        """What the last pronoun before token `start` meant, if it stands in the same sentence."""
+        before = max((at for at in self.pointed if at < start), default=-1)
+        between = self._chunks[bisect_left(self._starts, before) : bisect_left(self._starts, start)]
+        if before < 0 or any(is_link(chunk, "mark", "stop") for chunk in between):
+            return None
+        return self.pointed[before]
 
     def _usual_carrier(
         self, start: int, found: Mention, kind: str, subjects: Sequence[Mention], noun: str

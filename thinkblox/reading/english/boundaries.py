@@ -168,8 +168,17 @@ class Boundaries(State):
                 self._end("stop")
             case "which":
                 named = next((n for n in reversed(self.frontier) if n.things), None)
-                self.relative = named or self._hold_front()
+                self.relative = self._denied_carrier(named) or named or self._hold_front()
                 self.separator = ""
+
+    def _denied_carrier(self, named: Node | None) -> Node | None:
+        """The bookcase of "three books, none of them in the bookcase, which is against the wall"."""
+        before, verb = self._before(2), self.peek()
+        things = self.meant.get(before.start, []) if isinstance(before, Noun) and not before.many else []
+        single = isinstance(verb, Connector) and verb.text.lower().split()[0] in ("is", "stands", "hangs", "sits", "has")
+        many = named is not None and any(thing.many for thing in named.things)
+        denied = any(b.negated and things[-1] in b.anchors for b in self.draft.bonds) if things else False
+        return Node(things, None, known=True) if single and many and denied else None
 
     def _hold_front(self) -> Node | None:
         """What a clause in between is about: "behind the counter, on which there is a jar, stands a shelf"."""

@@ -760,7 +760,7 @@ class Meanings:
             return None
         if said.det == "no":
             return None
-        anchors, told = self.name.anchors(said, subjects)
+        anchors, told = self.name.anchors(said, subjects, denied=where.negated)
         if not anchors:
             return None
         kind = self._kind(where.word)
@@ -832,7 +832,9 @@ _STANDING_ALONE = ("tables", "desks", "counters", "worktops", "storage", "tops",
 class Namer:
     """Names the things of noun phrases; the reader of clauses does it."""
 
-    def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
+    def anchors(
+        self, noun: Noun, besides: list[Mention], *, denied: bool = False
+    ) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
         raise NotImplementedError
 

@@ -19,7 +19,8 @@ def join_named_again(
     """
     for thing in [bond.subject for bond in draft.bonds if bond.each and not bond.negated and bond.anchors]:
         noun = named_by.get(thing)
-        if noun is None or noun.det != "a" or thing.many or thing not in draft.things:
+        one = noun is not None and (noun.det == "a" or noun.text.lower().startswith("one "))
+        if not one or thing.many or thing not in draft.things:
             continue
         number = referents.total(thing)
         before = draft.things[: draft.things.index(thing)]

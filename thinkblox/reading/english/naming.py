@@ -289,8 +289,16 @@ class Naming(Several):
             first.noun = noun.value
         return first.noun == noun.value and not noun.attributes and not noun.owner and not noun.unshown
 
-    def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
-        """The things that a noun phrase after a preposition means, and whether they were known."""
+    def anchors(
+        self, noun: Noun, besides: list[Mention], *, denied: bool = False
+    ) -> tuple[tuple[Mention, ...], bool]:
+        """The things that a noun phrase after a preposition means, and whether they were known.
+
+        Args:
+            noun: the phrase.
+            besides: what it does not mean.
+            denied: whether nothing is to be there, so that "a bench" is any of them.
+        """
         self._spend(noun)
         if places := self._group_or_seats(noun):
             return places, True
@@ -304,11 +312,19 @@ class Naming(Several):
             return tuple(known), True
         if same := self._same(noun, besides):
             return same, True
+        if denied and (any_of_them := self._any_of(noun, besides)):
+            self.meant[noun.start] = any_of_them
+            return tuple(any_of_them), True
         thing = self._new(noun)
         self.meant[noun.start] = [thing]
         if not noun.definite:
             self.fresh.add(thing)
         return (thing,), False
+
+    def _any_of(self, noun: Noun, besides: list[Mention]) -> list[Mention]:
+        """The benches of "two benches, ... a bin that must not stand next to a bench"."""
+        plain = noun.kind == "thing" and noun.det in ("a", "any") and not (noun.attributes or noun.unshown)
+        return [t for t in self.referents.every(noun) if t not in besides] if plain else []
 
     def _group_or_seats(self, noun: Noun) -> tuple[Mention, ...]:
         """What "each station", "every place" are."""

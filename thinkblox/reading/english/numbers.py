@@ -17,6 +17,11 @@ _SIDES_OF_TABLE = 4
 _RECENT = 20
 """So many relations back, at most, something was said to be on each of several."""
 
+_SOME = 2
+_STANDING_VERBS = ("be", "stand", "hang", "lie")
+_AT = ("in", "on", "on_top", "around", "under")
+_EXCLUSIVE = ("on", "on_top", "around", "at", "inside", "in_corner", "in_centre")
+"""Where things are that are nowhere else: by these they are told of where more of them are."""
 
 class Numbers(Verbs):
     """Reads numbers without a noun."""
@@ -25,6 +30,8 @@ class Numbers(Verbs):
         """A number that stands for some of several: "two by the window", "three of them chrome"."""
         if noun.rows and not noun.of_known:
             self._arrange(noun)
+            return
+        if self._are_more_elsewhere(noun):
             return
         if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun) or self._is_of_each_kind(noun):
             return
@@ -51,6 +58,27 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _are_more_elsewhere(self, noun: Noun) -> bool:
+        """Read "six bicycles hang on the wall and four stand in the middle" as ten: they cannot be at both places."""
+        plain = noun.count and not (noun.det or noun.of_known or noun.ordinal or noun.attributes or noun.unshown)
+        joined = self._is_link(self._before(), "joins", "and") or self._is_link(self._before(), "mark", "comma")
+        told = self._is_link(self.peek(), "verbs", *_STANDING_VERBS) and self._is_link(self.peek(1), "prepositions", *_AT)
+        thing = self.subject.thing if self.subject is not None and self.predicate else None
+        if not (plain and joined and told) or thing is None or not thing.count or thing.count < _SOME:
+            return False
+        before, there = self.draft.bonds_of(thing), self._next_noun(2)
+        placed = [b for b in before if b.asked and not (b.negated or b.implied or b.each)]
+        fixed = len(placed) == 1 and placed[0].kind in _EXCLUSIVE and len(self.referents.family(thing)) == 1
+        wall = there is not None and there.value.endswith("wall")
+        if not fixed or there is None or wall or (there.kind == "thing" and not there.definite and there.det != "a"):
+            return False
+        if any(there.value == (a.noun if isinstance(a, Mention) else a) for a in placed[0].anchors):
+            return False
+        more = self._copy_of(thing)
+        more.count, more.plural = noun.count, (noun.count or 1) > 1
+        self._speak_of_part(more, noun)
+        return True
 
     def _are_people_at_each(self, noun: Noun) -> bool:
         """Say of "six students sit at three desks, two at each" that nobody sees to who sits where."""

@@ -617,7 +617,8 @@ class Subjects(Having):
         bonds = self.draft.bonds_of(thing)
         usual = self.habits.tie(thing.noun, head.things[-1].noun)
         beside = bool(bonds) and all(b.implied and b.kind == "next_to" for b in bonds)
-        return beside and usual is None and is_small(thing) == is_small(node.things[-1])
+        may_lie = is_small(thing) or any(self.habits.is_in(sense.category, "small") for sense in senses_of(thing.noun))
+        return beside and usual is None and (is_small(thing) == is_small(node.things[-1]) or may_lie)
 
     def _pair(self, node: Node, frame: Listed, where: Where) -> Node | None:
         """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""
