@@ -26,7 +26,7 @@ _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
 _FILLED_CORNER = 0.9
 """Least distance of an opening to a corner in which something will stand [m]."""
-_CLOSET, _SHORT = 4.0, 1.7
+_CLOSET, _SHORT = 4.6, 2.0
 """Floor [m2] and shorter side [m] below which a room is entered by a narrow door that opens outwards."""
 _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
@@ -42,6 +42,8 @@ _ROW = 3
 """So many seats before what hangs on a wall need a whole one."""
 _SHIFTS = (0.0, 0.0, -0.2, 0.2)
 """How far a window is off the middle of its stretch of wall, as a share of what that leaves free."""
+_CABIN, _LONG = 6.0, 1.5
+"""Floor below which a window leaves room for what is long and high, and from what length that is so [m2, m]."""
 _BY_WINDOWS = ("next_to", "near", "left_of", "right_of")
 _VARIED, _ASIDE = 1.06, 0.15
 """How much wider than usual a thing may come out, and how far it is from the opening and the corner together [m]."""
@@ -55,7 +57,7 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
         kind=room_type(brief.room_type),
         spared=_spared(brief, room) | _for_row(brief, room),
         corners={"door": max(_corner_distance(brief), _beside_doors(brief)), "window": _corner_distance(brief)},
-        beside=_beside_windows(brief),
+        beside=_beside_windows(brief) or _beside_bunks(brief, room),
     )
     for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
@@ -210,6 +212,13 @@ def _beside_windows(brief: Brief) -> float:
     kinds = ((request, kind_of(request.category)) for request in _asked_by(brief, "window", _BY_WINDOWS))
     tall = [request for request, kind in kinds if kind.mount == "floor" and kind.size[2] > _SILL]
     return max(map(_width_of_wall, tall), default=0.0)
+
+
+def _beside_bunks(brief: Brief, room: Room) -> float:
+    """Width of wall between a corner and the window that a small room needs for what is long and high there [m]."""
+    kinds = [kind_of(request.category) for request in brief.requests if request.asked]
+    long = [k.size for k in kinds if k.mount == "floor" and k.size[2] > _SILL and max(k.size[:2]) > _LONG]
+    return max((min(size[:2]) for size in long), default=0.0) * _VARIED if room.polygon.area < _CABIN else 0.0
 
 
 def _asked_by(brief: Brief, place: str, kinds: tuple[str, ...]) -> list[Request]:

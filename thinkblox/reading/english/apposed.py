@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Chunk, Noun, Stray, filler
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray, filler
 from thinkblox.reading.english.said import is_link
 
 _MOST = 6
@@ -23,6 +23,10 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
             begun = len(made) - (bool(made) and is_link(made[-1], "prepositions"))
             made[begun:] = [filler(chunk) for chunk in [*made[begun:], chunks[at]]]
             at += 1
+        elif (look := _look_again(chunks, at)) is not None:
+            made += [Connector("verbs", "be", look.start, look.start, "is"), look]
+            made.append(Connector("joins", "and", look.end, look.end, "and"))
+            at += 3
         elif _is_after_thing(chunks, at) and _is_one_with(chunks, at + 1):
             at += 2
         elif _is_counted_instead(made, chunks[at : at + 2]):
@@ -45,6 +49,19 @@ def _is_named_again(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     plain = bare.kind == "thing" and bare.plural and not (bare.det or bare.count or bare.attributes or bare.unshown)
     return plain and counted.kind == "thing" and counted.value == bare.value and bool(counted.count)
+
+
+def _look_again(chunks: Sequence[Chunk], at: int) -> Adjective | None:
+    """What "the second, a black one, has" says of the second."""
+    which = chunks[at - 1] if at else None
+    comma, one, end, verb = (*chunks[at : at + 4], None, None, None, None)[:4]
+    if not isinstance(which, Noun) or which.kind != "number" or not which.ordinal or not is_link(verb, "verbs"):
+        return None
+    if not is_link(comma, "mark", "comma") or not is_link(end, "mark", "comma") or not isinstance(one, Noun):
+        return None
+    if one.kind != "number" or one.det != "a" or not one.attributes:
+        return None
+    return Adjective(one.start, one.end, one.text, [*one.attributes], unshown=[*one.unshown], states=[*one.states])
 
 
 def _is_after_thing(chunks: Sequence[Chunk], at: int) -> bool:
