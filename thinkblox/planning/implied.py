@@ -68,11 +68,17 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
 
 
 def _stand_where_rugs_lie(members: Members) -> None:
-    """What is asked to be on a rug that lies before a sofa stands before the sofa itself, where nobody says more."""
+    """What is asked to be on a rug that lies before a sofa stands before the sofa itself, where nobody says more.
+
+    So does in the middle what is on a rug that lies there.
+    """
     for rug in [member for member in members.all if member.flat]:
         before = [tie for tie in rug.ties if tie.asked and tie.kind in _BY_RUG and len(tie.anchors) == 1]
-        on = [members.by_id.get(tie.anchors[0]) for tie in rug.ties if tie.asked and tie.kind == "under"]
+        on = [members.by_id.get(a) for tie in rug.ties if tie.asked and tie.kind == "under" for a in tie.anchors]
+        amid = [tie for tie in rug.ties if tie.asked and tie.kind == "in_centre" and tie.anchors == ("centre",)]
         for member in on:
+            if member is not None and amid and member.mount == "floor" and not member.ties:
+                member.ties.append(Tie(kind="in_centre", anchors=("centre",), asked=False))
             if member is not None and before and member.mount == "floor" and not member.ties:
                 anchor = members.by_id.get(before[0].anchors[0])
                 if anchor is not None and not members.depends(anchor, member):

@@ -62,6 +62,8 @@ _SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "
 """What is said of a room that is made, or asks for nothing."""
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
+_SQUARE, _AT_SQUARE = "square", 4
+"""A form of tables, and how many are assumed to sit at one."""
 
 def read_brief(prompt: str, *, fill: Fill = "essentials") -> Brief:
     """What a prompt asks for, read by rules in one of the languages of `LANGUAGES`.
@@ -232,6 +234,9 @@ def _fit_tables(draft: Draft) -> None:
     """Say of every table that comes for more or fewer for how many it is, so that one of that size is made."""
     for table in draft.things:
         around = (b for b in draft.bonds if b.kind == "around" and table in b.anchors)
+        for bond in draft.bonds:
+            if bond.kind == "around" and table in bond.anchors and not bond.subject.asked and _SQUARE in table.attributes:
+                bond.subject.count = min(bond.subject.count or 1, _AT_SQUARE * (table.count or 1))
         seats = sum((b.subject.count or 1) * (table.count or 1) // _anchored(b) for b in around)
         named = any(attribute.startswith("for-") for attribute in table.attributes)
         if seats and table.count and not named and kind_of(table.noun).seats:

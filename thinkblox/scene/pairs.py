@@ -49,6 +49,8 @@ END_SHARE = 1 / 6
 """Smallest offset from the middle of what lies at one side of a top, as a share of its extent: the outer thirds."""
 UNDER_SHARE = 0.2
 """Smallest share of the smaller footprint that lies under, for what is flat: a rug's under a bed that it frames."""
+STOOD_ON = 1.0
+"""Footprint of what would stand beside a rug, were less than half of it on that [m2]."""
 UNDER_HALF, FLAT = 0.5, 0.05
 """The same for all that is higher than that [m]: a cabinet under a television."""
 ABOVE_MARGIN = 0.15
@@ -300,7 +302,8 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
     if anchor.kind == "opening" and subject.base < CONTACT:
         return _below_opening(subject, anchor)
     share = shared(subject, anchor if anchor.roof is None else replace(anchor, footprint=anchor.roof))
-    least = UNDER_SHARE if subject.top - subject.base <= FLAT or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
+    flat = subject.top - subject.base <= FLAT and (anchor.kind != "object" or anchor.footprint.area > STOOD_ON)
+    least = UNDER_SHARE if flat or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
     lower = subject.base <= anchor.base + CONTACT and subject.top <= (
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
     )

@@ -6,6 +6,7 @@ from itertools import pairwise
 from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
+from thinkblox.knowledge.vocabulary import is_person
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
@@ -64,7 +65,7 @@ class Clauses(Audit):
 
     def _stray(self, stray: Stray) -> None:
         """Note a word that means nothing to us; a lone article or letter names and changes nothing."""
-        if len(stray.text) == 1 or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
+        if len(stray.text) == 1 or _is_mere_adverb(stray.text.lower()) or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
             self.account.mark(stray.start, stray.end, "filler")
         else:
             following = self.peek()
@@ -499,3 +500,9 @@ class Clauses(Audit):
                 return False
             index += 1
         return False
+
+
+def _is_mere_adverb(word: str) -> bool:
+    """Whether a word that no list has only says how gracefully or proudly something stands."""
+    adverb = word.endswith("ly") and word.isalpha() and len(word) > len("early")
+    return adverb and word not in grammar().lists["seen_adverbs"] and not is_person(word)

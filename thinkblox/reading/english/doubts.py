@@ -157,7 +157,7 @@ class Doubts(Corrections):
         where = "corner" if bond.kind == "in_corner" and not self._has_carrier(bond.subject) else where
         lies = tops and is_small(bond.subject) and self._is_carried(bond.subject)
         plant = self.habits.is_in(bond.subject.noun, "plants") or shape_of(kind_of(bond.subject.noun)) == "tuft"
-        where = "" if where in of_room and (plant or not lies) else where
+        where = "" if where in of_room and (plant or not lies or where == "corner") else where
         hung = self.habits.is_in(bond.subject.noun, "wallpieces") and kind_of(bond.subject.noun).size[2] < _FULL_HEIGHT
         lies |= where == "middle" and hung
         return f"{bond.subject.text} in the {where} (of what?)" if where and lies else ""

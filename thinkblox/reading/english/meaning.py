@@ -110,7 +110,11 @@ class Meanings:
             return None
         if meaning.kind == "above" and self._is_draped(where, subjects, noun, meaning):
             meaning.kind = "on"
-        meaning.loose |= meaning.kind == "on" and where.text.lower().startswith("inside")
+        meaning.loose |= (
+            meaning.kind == "on"
+            and where.text.lower().startswith("inside")
+            and not all(isinstance(a, Mention) and load_habits().is_in(a.noun, "own_bed") for a in meaning.anchors)
+        )
         said = where.whole or where.noun
         meaning.loose |= said is not None and _is_one_of_levels(said)
         meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
