@@ -140,8 +140,8 @@ def test_what_is_not_there_and_what_is_instead(prompt: str, expected: set[str], 
 @pytest.mark.parametrize(
     ("prompt", "expected"),
     [
-        ("There's no lamp on the desk, but there is one on the nightstand.", "1 desk_lamp on nightstand"),
-        ("There are no lamps on the desk, but there are two on the shelf.", "2 desk_lamp on shelving_unit"),
+        ("There's no lamp on the desk, but there is one on the nightstand.", "1 table_lamp on nightstand"),
+        ("There are no lamps on the desk, but there are two on the shelf.", "2 table_lamp on shelving_unit"),
         ("There is no clock on the wall but one on the desk.", "1 clock on desk"),
         ("No chair at the desk, but one by the window.", "1 chair next_to window"),
     ],

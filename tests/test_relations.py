@@ -294,13 +294,15 @@ def test_between_two_rows_of_chairs() -> None:
     assert not measure(scene.moved("chair_0", yaw=0.0), "facing", ids, ()).holds
 
 
-def test_every_class_desk_faces_the_board() -> None:
-    scene = grid([0.6, 2.2, 3.8, 5.4], [0.5, 1.5], yaw=-90.0)  # sat at from the south
+def test_every_class_desk_faces_the_board_that_it_does_not_look_past() -> None:
+    scene = grid([1.7, 2.5, 3.5, 4.3], [0.5, 1.5], yaw=-90.0)  # sat at from the south
     board = thing("whiteboard_1", (0.05, 2.0, 1.2), 3.0, 3.975, -90.0, z=0.9, mount="wall")
     scene = scene.with_placement(*board)
     ids = [p.id for p in scene.placements[:-1]]
     assert measure(scene, "facing", ids, ["whiteboard_1"]).holds
     assert not measure(scene.moved("desk_1", yaw=90.0), "facing", ids, ["whiteboard_1"]).holds
+    aside = scene.moved("desk_1", position=(0.4, 3.2, 0.0))
+    assert not measure(aside, "facing", ids, ["whiteboard_1"]).holds
 
 
 def test_an_inner_corner_is_no_corner() -> None:

@@ -65,6 +65,7 @@ _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "lo
 _SQUARE, _AT_SQUARE = "square", 4
 """A form of tables, and how many are assumed to sit at one."""
 
+
 def read_brief(prompt: str, *, fill: Fill = "essentials") -> Brief:
     """What a prompt asks for, read by rules in one of the languages of `LANGUAGES`.
 
@@ -235,7 +236,12 @@ def _fit_tables(draft: Draft) -> None:
     for table in draft.things:
         around = (b for b in draft.bonds if b.kind == "around" and table in b.anchors)
         for bond in draft.bonds:
-            if bond.kind == "around" and table in bond.anchors and not bond.subject.asked and _SQUARE in table.attributes:
+            if (
+                bond.kind == "around"
+                and table in bond.anchors
+                and not bond.subject.asked
+                and _SQUARE in table.attributes
+            ):
                 bond.subject.count = min(bond.subject.count or 1, _AT_SQUARE * (table.count or 1))
         seats = sum((b.subject.count or 1) * (table.count or 1) // _anchored(b) for b in around)
         named = any(attribute.startswith("for-") for attribute in table.attributes)

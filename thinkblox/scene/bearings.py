@@ -60,7 +60,7 @@ def shared(subject: Landmark, anchor: Landmark) -> float:
 def angle_to(subject: Landmark, anchor: Landmark) -> float:
     """Angle between where the subject looks and the middle of the anchor; 0 when it looks straight at any part of it.
 
-    Besides its middle that of what lies straight before the subject counts, and the nearest point of a place of the room.
+    Besides its middle that of what lies straight before the subject counts; of a place of the room its nearest point.
     """
     target = place_of(anchor)
     yaws = (subject.gaze, subject.gaze + 180.0) if subject.front == "two" else (subject.gaze,)

@@ -393,8 +393,8 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
     apart, aside = ground_gap(subject, anchor), 0.0
     if anchor.kind == "object" and not (subject.hung and anchor.hung):
         aside = min(past_centre(subject, anchor), past_centre(anchor, subject))
-    if anchor.kind == "object":
-        turn = min(turn, angle_to(subject, anchor), angle_to(anchor, subject))
+    if anchor.kind == "object" and turn >= 180.0 - FACING:
+        turn = min(turn, angle_to(subject, anchor), angle_to(anchor, subject))  # One of them has its back to the other.
     text = f"{subject.name} {apart:.2f} m from {anchor.name}, {max(turn, aside):.0f} degrees off facing it"
     least, most = ACROSS
     if subject.hung and anchor.hung:

@@ -686,7 +686,8 @@ def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
 
 def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.asset.collides:
-        return rugs.under(situation, anchor)
+        every = [a for t in situation.target.ties if t.kind == tie.kind for a in situation.placed(t.anchors)]
+        return (*rugs.under_all(situation, anchor, every), *rugs.under(situation, anchor))
     if situation.scene.asset_of(anchor).mount == "wall":
         return beneath.under_hung(situation, anchor)
     return beneath.under_standing(situation, anchor, tie)

@@ -15,7 +15,7 @@ from thinkblox.value import Vec3
 AIRS = (0.08, 0.15, 0.25)
 """Left on either side of what comes between, the best first [m]."""
 ROOMY = 0.42
-"""Left on either side of what comes between a seat and what it looks at: it is next to both, and knees have room [m]."""
+"""Left on either side of what comes between a seat and what it looks at: it is next to both, knees have room [m]."""
 PARTED, IN_LINE = 12.0, 4.0
 """Cost per metre that is missing beside the first of a pair, as the second stands across the room then; in a run."""
 

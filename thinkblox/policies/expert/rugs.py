@@ -1,6 +1,6 @@
 """Ideas for rugs: under the group they belong to, parallel to it, no larger than the floor allows."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
@@ -15,6 +15,8 @@ SEATED, DRAWN_BACK = ("around", "at_long_side", "at_short_side"), 0.65
 """Relations of seats to a table, and how far a rug reaches past it for them [m]."""
 IN_LINE, PAIRED = 0.3, 1.2
 """Beds so nearly in one line, with no more floor between them than this, are a pair [m]."""
+PAST_MIDDLE = 0.2
+"""How far a rug reaches past the middles of several that are all on it [m]."""
 BEYOND_BED = 0.6
 """How far a rug reaches past the sides and the foot of a bed [m]."""
 
@@ -34,6 +36,21 @@ def under(situation: Situation, anchor: Placement) -> Iterator[Idea]:
                 locals_ = (*((along, middle) for along, _ in locals_), *locals_)
             for step, local in enumerate(dict.fromkeys(locals_)):
                 yield _lie(situation, anchor, local, turn, size, 0.3 * rank + 0.2 * step + _along(anchor, size, turn))
+
+
+def under_all(situation: Situation, anchor: Placement, others: Sequence[Placement]) -> Iterator[Idea]:
+    """In the middle of several, so large that more than half of each is on it, where it can be made so."""
+    if not others[1:]:
+        return
+    spots = [anchor.to_local(other.position[:2]) for other in others]
+    (x0, y0), (x1, y1) = (tuple(pick(spot[axis] for spot in spots) for axis in (0, 1)) for pick in (min, max))
+    sizes = situation.observation.sizes
+    most = sizes[1] if sizes is not None else situation.size
+    needed = (x1 - x0 + 2 * PAST_MIDDLE, y1 - y0 + 2 * PAST_MIDDLE)
+    for turn, (deep, wide) in ((0.0, needed), (90.0, needed[::-1])):
+        grown = (max(situation.size[0], deep), max(situation.size[1], wide), situation.size[2])
+        size = (min(grown[0], most[0]), min(grown[1], most[1]), grown[2])
+        yield _lie(situation, anchor, ((x0 + x1) / 2, (y0 + y1) / 2), turn, size, 0.0)
 
 
 def _aside_of_pair(situation: Situation, bed: Placement) -> float:

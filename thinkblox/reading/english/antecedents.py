@@ -55,8 +55,10 @@ class OpenReference:
     one: Mention
     other: Mention
 
+
 _OVER, _CARRIED = ("above", "under"), ("on", "on_top", "inside")
 """Relations of what is over or under another, and of what lies on it or in it."""
+
 
 class Antecedents:
     """Weighs what pronouns may mean.
@@ -100,7 +102,8 @@ class Antecedents:
         if one and several and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
         by = weights()
-        apart = kind in _OVER or (kind not in _CARRIED and not load_habits().is_in(noun, "small"))
+        large = not load_habits().is_in(noun, "small")
+        apart = one and (kind in _OVER or (large and kind not in _CARRIED))
         again = self._pointed_before(where[0]) if apart else None
         ranked = [
             Antecedent(

@@ -175,7 +175,13 @@ class Boundaries(State):
         """The bookcase of "three books, none of them in the bookcase, which is against the wall"."""
         before, verb = self._before(2), self.peek()
         things = self.meant.get(before.start, []) if isinstance(before, Noun) and not before.many else []
-        single = isinstance(verb, Connector) and verb.text.lower().split()[0] in ("is", "stands", "hangs", "sits", "has")
+        single = isinstance(verb, Connector) and verb.text.lower().split()[0] in (
+            "is",
+            "stands",
+            "hangs",
+            "sits",
+            "has",
+        )
         many = named is not None and any(thing.many for thing in named.things)
         denied = any(b.negated and things[-1] in b.anchors for b in self.draft.bonds) if things else False
         return Node(things, None, known=True) if single and many and denied else None

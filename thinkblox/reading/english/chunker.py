@@ -385,9 +385,9 @@ class Cutter:
             return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
         if (said := self._restated()) is not None:
             return said
-        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
-        found = found or self._lack() or self._after_modal() or self._described()
-        return found or self._said_round() or self._shade_of_rest()
+        place = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._ability()
+        look = place or self._lack() or self._after_modal() or self._described()
+        return look or self._said_round() or self._shade_of_rest()
 
     def _restated(self) -> Stray | Connector | None:
         """Read "nine pairs of shoes, that is eighteen": a number once more, or one that nobody can tell of what."""

@@ -58,6 +58,7 @@ class Clauses(Audit):
         self._begin()
         self._settle_ends()
         self._drop_groups()
+        self.referents.gather()
         join_named_again(self.draft, self.referents, self.named_by, self.meant)
         self._audit()
         self.draft.account = self.account.words()
@@ -65,7 +66,11 @@ class Clauses(Audit):
 
     def _stray(self, stray: Stray) -> None:
         """Note a word that means nothing to us; a lone article or letter names and changes nothing."""
-        if len(stray.text) == 1 or _is_mere_adverb(stray.text.lower()) or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
+        if (
+            len(stray.text) == 1
+            or _is_mere_adverb(stray.text.lower())
+            or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns")
+        ):
             self.account.mark(stray.start, stray.end, "filler")
         else:
             following = self.peek()

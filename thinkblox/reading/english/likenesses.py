@@ -20,7 +20,9 @@ def with_likenesses(chunks: Sequence[Chunk]) -> list[Chunk]:
             if model.kind == "thing" and model.value in _LIKENESSES and shown:
                 name = f"{chunk.word} {model.value.replace('_', ' ')}"
                 text = f"{model.text} of {chunk.text}"
-                made[-2:] = [replace(model, value=identifier_of(name), called=name, end=chunk.end, text=text, named=True)]
+                made[-2:] = [
+                    replace(model, value=identifier_of(name), called=name, end=chunk.end, text=text, named=True)
+                ]
                 continue
         made.append(chunk)
     return made

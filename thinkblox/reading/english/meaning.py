@@ -836,9 +836,7 @@ _STANDING_ALONE = ("tables", "desks", "counters", "worktops", "storage", "tops",
 class Namer:
     """Names the things of noun phrases; the reader of clauses does it."""
 
-    def anchors(
-        self, noun: Noun, besides: list[Mention], *, denied: bool = False
-    ) -> tuple[tuple[Mention, ...], bool]:
+    def anchors(self, noun: Noun, besides: list[Mention], *, denied: bool = False) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
         raise NotImplementedError
 

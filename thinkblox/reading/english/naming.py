@@ -289,9 +289,7 @@ class Naming(Several):
             first.noun = noun.value
         return first.noun == noun.value and not noun.attributes and not noun.owner and not noun.unshown
 
-    def anchors(
-        self, noun: Noun, besides: list[Mention], *, denied: bool = False
-    ) -> tuple[tuple[Mention, ...], bool]:
+    def anchors(self, noun: Noun, besides: list[Mention], *, denied: bool = False) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known.
 
         Args:

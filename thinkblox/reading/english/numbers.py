@@ -23,6 +23,7 @@ _AT = ("in", "on", "on_top", "around", "under")
 _EXCLUSIVE = ("on", "on_top", "around", "at", "inside", "in_corner", "in_centre")
 """Where things are that are nowhere else: by these they are told of where more of them are."""
 
+
 class Numbers(Verbs):
     """Reads numbers without a noun."""
 
@@ -31,9 +32,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._are_more_elsewhere(noun):
-            return
-        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun) or self._is_of_each_kind(noun):
+        if self._is_told_besides(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -59,11 +58,23 @@ class Numbers(Verbs):
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
 
+    def _is_told_besides(self, noun: Noun) -> bool:
+        """Whether it is no part of those that were named, but more of them, their look, or one of each kind."""
+        return (
+            self._are_more_elsewhere(noun)
+            or self._again_with(noun)
+            or self._adds(noun)
+            or self._is_look_of_last(noun)
+            or self._is_of_each_kind(noun)
+        )
+
     def _are_more_elsewhere(self, noun: Noun) -> bool:
         """Read "six bicycles hang on the wall and four stand in the middle" as ten: they cannot be at both places."""
         plain = noun.count and not (noun.det or noun.of_known or noun.ordinal or noun.attributes or noun.unshown)
         joined = self._is_link(self._before(), "joins", "and") or self._is_link(self._before(), "mark", "comma")
-        told = self._is_link(self.peek(), "verbs", *_STANDING_VERBS) and self._is_link(self.peek(1), "prepositions", *_AT)
+        told = self._is_link(self.peek(), "verbs", *_STANDING_VERBS) and self._is_link(
+            self.peek(1), "prepositions", *_AT
+        )
         thing = self.subject.thing if self.subject is not None and self.predicate else None
         if not (plain and joined and told) or thing is None or not thing.count or thing.count < _SOME:
             return False

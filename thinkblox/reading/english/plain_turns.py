@@ -112,7 +112,7 @@ def _words_of(pattern: re.Pattern[str]) -> tuple[str, ...]:
 
 
 def _needed(pattern: str) -> tuple[str, ...]:
-    """Such words of a pattern without sets of characters, the longest that there are; none where some ways have none."""
+    """Such words of a pattern without sets of characters, the longest there are; none where some ways have none."""
     each: list[tuple[str, ...]] = []
     for text, groups in _branches(pattern):
         runs = [(run,) for run in _RUN.findall(_OPTIONAL.sub("\0", text).lower())]
@@ -123,7 +123,7 @@ def _needed(pattern: str) -> tuple[str, ...]:
 
 
 def _branches(pattern: str) -> list[tuple[str, list[str]]]:
-    """The ways of a pattern: what each has outside its groups, and the insides of the groups that it cannot do without."""
+    """The ways of a pattern: what each has outside its groups, and the insides of the groups that it has to have."""
     branches: list[tuple[str, list[str]]] = [("", [])]
     depth = begin = 0
     for at, char in enumerate(pattern):

@@ -353,9 +353,7 @@ class Referents:
         whole.most = None if whole.most is None else max(whole.most - count, 0)
         whole.plural = whole.count > 1
         self.draft.things.insert(self.draft.things.index(whole), part)
-        for bond in self.draft.bonds_of(whole):
-            # One alone stands at one of the walls that several are shared out to.
-            self.draft.bonds.append(replace(bond, subject=part, spread=bond.spread if count > 1 else 0))
+        self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
         for bond in self.draft.bonds:
             if whole in bond.anchors and bond.subject is not part:
                 at = bond.anchors.index(whole)
@@ -369,6 +367,12 @@ class Referents:
         self.inherited[part] = [*part.attributes]
         self.speak(part)
         return part
+
+    def gather(self) -> None:
+        """Let one that was told apart of several stand at one of the walls that these are shared out to."""
+        for bond in self.draft.bonds:
+            if bond.spread and bond.subject in self._whole_of and bond.subject.count == 1:
+                bond.spread = 0
 
     def left_over(self) -> Mention | None:
         """What is left of several of which some were told of in a sentence before."""
