@@ -275,3 +275,17 @@ def test_what_one_washes_or_shows_in_has_a_hollow() -> None:
 def test_a_mini_fridge_is_small() -> None:
     fridge = next(r for r in read_brief("A bedroom with a mini fridge.").requests if r.asked)
     assert make_asset(fridge.category, seed=1, attributes=fridge.attributes).size[2] < 0.7
+
+
+def test_for_how_many_a_thing_is_said_after_its_name() -> None:
+    table = make_asset("dining_table", seed=0, attributes=("long", "for-6"))
+    assert table.description == "long dining table for 6"
+    assert table.name == "dining table"
+    assert table.called("reading table").description == "long reading table for 6"
+    assert make_asset("bed", seed=0, attributes=("white",)).name == "bed"
+
+
+@pytest.mark.parametrize("name", ["changing_table", "luggage_cart", "brazier"])
+def test_what_things_are_put_on_has_a_place_for_them(name: str) -> None:
+    asset = make_asset(name, seed=1)
+    assert any(not surface.within and min(surface.size) > 0.2 for surface in asset.surfaces)

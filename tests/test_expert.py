@@ -616,3 +616,31 @@ def test_a_basket_holds_all_that_is_asked_to_be_in_it(prompt: str, category: str
     held = of(done := room(prompt), category)
     assert len(held) == count
     assert all(measure(done.scene, "inside", p.id, ["basket_1"]).holds for p in held)
+
+
+def test_what_is_between_a_sofa_and_what_it_faces_is_next_to_both():
+    done = room(
+        "A studio apartment, 6 meters by 5 meters. A two-seat sofa faces a TV stand. Between the sofa and the TV stand "
+        "is a round coffee table."
+    )
+    (table,), (sofa,), (stand,) = (of(done, name) for name in ("coffee_table", "sofa", "tv_stand"))
+    assert gap(table, sofa) <= 0.5
+    assert gap(table, stand) <= 0.5
+
+
+def test_a_square_table_is_as_wide_as_deep_whatever_its_size():
+    for seed in range(3):
+        (table,) = of(room("A kitchen with a square table in the corner.", seed), "kitchen_table")
+        assert table.size[0] == pytest.approx(table.size[1], abs=0.02)
+
+
+def test_a_long_bench_has_a_wall_in_a_greenhouse():
+    done = room("Greenhouse with a long potting bench against the wall.")
+    (bench,) = of(done, "potting_bench")
+    assert measure(done.scene, "against_wall", bench.id, ["wall"]).holds
+
+
+def test_bean_bags_lie_on_the_rug_in_the_middle_of_the_room():
+    done = room("A reading room, 4 m x 5 m. A round rug lies in the middle of the room with three beanbags on it.", 1)
+    (rug,) = of(done, "rug")
+    assert measure(done.scene, "under", rug.id, [p.id for p in of(done, "bean_bag")]).holds

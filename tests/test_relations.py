@@ -387,3 +387,25 @@ def test_nothing_of_what_must_not_be_under_a_thing_is_under_it() -> None:
     for x, free in ((3.1, True), (2.9, False)):
         scene = scene_of(bed, thing("rug_1", rug, x, 2.0, front="two", collide=False))
         assert measure(scene, "under", "rug_1", ("bed_1",), negated=True).holds is free
+
+
+@pytest.mark.parametrize(("yaw", "holds"), [(180.0, True), (0.0, True), (90.0, False)])
+def test_what_is_across_from_a_thing_faces_it_or_has_its_back_to_it(yaw: float, holds: bool) -> None:
+    """A treadmill that faces a wall is across from the rack that faces it; one that stands askew is not."""
+    rack = thing("rack_1", (0.4, 1.2, 0.9), 0.2, 2.0)
+    scene = scene_of(rack, thing("treadmill_1", (1.6, 0.8, 1.3), 3.4, 2.0, yaw))
+    assert measure(scene, "opposite", "treadmill_1", ("rack_1",)).holds is holds
+
+
+def test_what_looks_past_the_middle_of_a_thing_does_not_face_it() -> None:
+    backdrop = thing("backdrop_1", (0.3, 2.6, 2.1), 0.2, 2.0)
+    for y, holds in ((2.0, True), (3.2, True), (4.2, False)):
+        scene = scene_of(backdrop, thing("lamp_1", (0.4, 0.4, 1.8), 2.4, y, 180.0))
+        assert measure(scene, "facing", "lamp_1", ("backdrop_1",)).holds is holds
+
+
+def test_a_rug_under_a_bean_bag_is_under_half_of_it() -> None:
+    bag = thing("bean_bag_1", (0.8, 0.8, 0.7), 1.0, 2.0)
+    for x, holds in ((2.0, True), (2.2, False)):
+        scene = scene_of(bag, thing("rug_1", (2.0, 2.4, 0.01), x, 2.0, front="two", collide=False))
+        assert measure(scene, "under", "rug_1", ("bean_bag_1",)).holds is holds

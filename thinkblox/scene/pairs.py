@@ -302,8 +302,9 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
     if anchor.kind == "opening" and subject.base < CONTACT:
         return _below_opening(subject, anchor)
     share = shared(subject, anchor if anchor.roof is None else replace(anchor, footprint=anchor.roof))
-    flat = subject.top - subject.base <= FLAT and (anchor.kind != "object" or anchor.footprint.area > STOOD_ON)
+    flat = subject.top - subject.base <= FLAT
     least = UNDER_SHARE if flat or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
+    least = UNDER_HALF if flat and anchor.kind == "object" and anchor.footprint.area <= STOOD_ON else least
     lower = subject.base <= anchor.base + CONTACT and subject.top <= (
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
     )
