@@ -11,14 +11,18 @@ from thinkblox.reading import read_brief
     [
         # Which of several the place tells.
         (
-            "Two desks. One is against the wall and the other is in the middle of the room. "
-            "A chair is near the desk that is against the wall. A lamp is on the desk in the middle of the room.",
+            (
+                "Two desks. One is against the wall and the other is in the middle of the room. "
+                "A chair is near the desk that is against the wall. A lamp is on the desk in the middle of the room."
+            ),
             {"desk": 1, "desk-2": 1, "chair": 1, "desk_lamp": 1},
             {"desk against_wall wall", "desk-2 in_centre centre", "chair near desk", "desk_lamp on desk-2"},
         ),
         (
-            "There are two sofas. One is under the window and the other is in the corner. "
-            "A rug is in front of the sofa under the window.",
+            (
+                "There are two sofas. One is under the window and the other is in the corner. "
+                "A rug is in front of the sofa under the window."
+            ),
             {"sofa": 1, "sofa-2": 1, "rug": 1},
             {"sofa under window", "sofa-2 in_corner corner", "rug in_front_of sofa"},
         ),
@@ -51,14 +55,18 @@ from thinkblox.reading import read_brief
             },
         ),
         (
-            "There are three bookcases. The first is white. The second, a black one, has a globe on top. "
-            "The third holds four boxes.",
+            (
+                "There are three bookcases. The first is white. The second, a black one, has a globe on top. "
+                "The third holds four boxes."
+            ),
             {"bookcase": 1, "bookcase-2": 1, "bookcase-3": 1, "globe": 1, "box": 4},
             {"globe on bookcase-2", "box inside bookcase-3"},
         ),
         (
-            "Two workbenches, a long one and a short one. The former is against the wall and carries a vise; "
-            "the latter, which is in the middle of the room, a lamp.",
+            (
+                "Two workbenches, a long one and a short one. The former is against the wall and carries a vise; "
+                "the latter, which is in the middle of the room, a lamp."
+            ),
             {"workbench": 1, "workbench-2": 1, "vise": 1, "desk_lamp": 1},
             {
                 "workbench against_wall wall",
