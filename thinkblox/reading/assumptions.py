@@ -170,7 +170,7 @@ def complete_sets(draft: Draft) -> None:
         if any(load_habits().is_in(t.noun, rest.group) for t in there):
             continue
         for category in rest.categories:
-            if category not in draft.excluded and not any(t.noun == category for t in there):
+            if not _is_barred(draft, category) and not any(t.noun == category for t in there):
                 part = _add(draft, category, thing.count or 1)
                 draft.bonds += [Bond("on", part, bond.anchors, each=bond.each, asked=False) for bond in places]
 
@@ -432,7 +432,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         one = {thing.noun for thing in draft.things if _is_of_one(draft, thing, usual)}
         there = any(_serves(noun, usual) for noun in present - one)
-        there |= any(_is_one(n, usual.category) for n in draft.excluded)
+        there |= _is_barred(draft, usual.category)
         # One more of what a prompt counts would be one too many: a standing mirror is a mirror.
         there |= any(counts_as(usual.category, noun) and not _is_too_little(noun, usual) for noun in counted - one)
         there |= any(usual.category.endswith(f"_{name}") for name in _plainly_counted(draft, one))
@@ -509,7 +509,7 @@ def _part_off(draft: Draft) -> None:
             places = [_place(anchors, made) for _, anchors, _ in usual.relations]
             shared = number and not any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
             there = shared and any(_serves(t.noun, usual) for t in draft.things)
-            if there or usual.category in draft.excluded or not all(places):
+            if there or _is_barred(draft, usual.category) or not all(places):
                 continue
             thing = made[usual.category] = _add(draft, usual.category, usual.count)
             thing.asked = not number
@@ -629,6 +629,20 @@ def _is_one(noun: str, category: str) -> bool:
     if load_habits().is_in(category, "own_bed") and load_habits().is_in(noun, "lain_on", "beds"):
         return True
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
+
+
+def _is_barred(draft: Draft, category: str) -> bool:
+    """Whether a prompt that wants no mirrors, or no tables, wants no <category> either."""
+    names = ((noun, noun.removeprefix("any_")) for noun in draft.excluded)
+    return any(
+        _is_one(noun, category) or counts_as(category, noun) or category.endswith(f"_{name}") for noun, name in names
+    )
+
+
+def drop_barred(draft: Draft) -> None:
+    """Take back what was assumed with something else and is not wanted."""
+    for thing in [t for t in draft.things if not t.asked and _is_barred(draft, t.noun)]:
+        draft.drop(thing)
 
 
 def _scale(draft: Draft) -> None:
@@ -858,7 +872,7 @@ def _is_chair(thing: Mention) -> bool:
 def _chairs(draft: Draft, table: Mention, count: int) -> None:
     usual = usual_seat(table.noun) if load_habits().is_in(table.noun, "meal_tables") else None
     category = usual.category if usual is not None else "chair"
-    if category in draft.excluded:
+    if _is_barred(draft, category):
         return
     seat = _add(draft, category, count)
     draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))

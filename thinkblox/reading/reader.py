@@ -20,6 +20,7 @@ from thinkblox.reading.assumptions import (
     complete_sets,
     counted_seats,
     draw_up,
+    drop_barred,
     line_up_along_wall,
     pull_up,
     spread_along_walls,
@@ -116,6 +117,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     draft.unknown += too_large(draft)
     pull_up(draft)
     assume(draft, fill)
+    drop_barred(draft)
     counted = counted_seats(draft)
     uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
