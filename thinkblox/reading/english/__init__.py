@@ -97,6 +97,7 @@ from thinkblox.reading.english.stacked_pairs import with_stacked_pairs
 from thinkblox.reading.english.switched import with_switched
 from thinkblox.reading.english.tasks import with_tasks
 from thinkblox.reading.english.things_between import with_things_between
+from thinkblox.reading.english.this_named import with_this_named
 from thinkblox.reading.english.told_apart import with_told_apart
 from thinkblox.reading.english.told_besides import with_told_besides
 from thinkblox.reading.english.told_later import with_told_later
@@ -202,6 +203,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
+        with_this_named,
         with_short_names,
         with_people_doing,
         with_denied_lists,

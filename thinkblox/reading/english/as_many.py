@@ -2,10 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
+_JOINED = ("and", "comma")
 _TOO = ("too", "as well", "also")
 
 
@@ -28,10 +30,25 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif number and isinstance(noun, Noun):
             made.append(replace(noun, share=0.0, count=number, plural=number > 1))
             at += 2
+        elif isinstance(noun, Noun) and (number := _number_before(noun, chunks[at + 1 :], made)):
+            made.append(replace(noun, share=0.0, count=number, plural=number > 1))
         elif noun is not None:
             made.append(_look_again(chunks, at, made) or noun)
         at += 1
     return made
+
+
+def _number_before(noun: Noun, after: Sequence[Chunk], made: Sequence[Chunk]) -> int:
+    """How many "six plates and twice as many glasses" are; 0 where they are not joined to what they are told by."""
+    if noun.kind != "thing" or not noun.share or len(made) < len(_JOINED):
+        return 0
+    rest = takewhile(lambda chunk: not is_link(chunk, "mark", "stop", "semicolon"), after)
+    if any(is_link(chunk, "prepositions", "as") for chunk in rest):
+        return 0
+    counted, joint = made[-2:]
+    joined = is_link(joint, "joins", _JOINED[0]) or is_link(joint, "mark", _JOINED[1])
+    told = isinstance(counted, Noun) and counted.kind == "thing" and joined and not noun.of_known
+    return int(noun.share * (counted.count or 0)) if told and isinstance(counted, Noun) else 0
 
 
 def _number_per(noun: Chunk | None, other: Chunk | None, after: Sequence[Chunk]) -> int:

@@ -495,7 +495,7 @@ class Clauses(Audit):
                     return False
                 if chunk.sort == "joins" and not isinstance(self.chunks[min(index + 1, len(self.chunks) - 1)], Noun):
                     return False
-                told = self.predicate or (self.verb == "have" and self.separator == "comma_and")
+                told = self.predicate or (self.separator == "comma_and" and (self.verb == "have" or bool(self.front)))
                 having = ("stand", "hang", *(("hold", "carry", "inside") if told else ()))
                 if chunk.sort in ("inverses", "participles") and chunk.value not in having:
                     return False

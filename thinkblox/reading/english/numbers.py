@@ -310,6 +310,9 @@ class Numbers(Verbs):
         """Whether "four small parcels and a large one" lists one more of the same kind."""
         looks = noun.attributes or noun.unshown
         last = self.frontier[-1].thing if self.frontier else None
+        rest = self.referents.parted
+        if rest is not None and rest.count == 1 and last is not None and rest in self.referents.family(last):
+            return False  # Of "three chairs, two blue ones and a red one" it is the third.
         ends = noun.det == "a" and noun.text.lower().endswith(" one")
         return bool(ends and looks and self.separator == "and" and last is not None and last.many)
 

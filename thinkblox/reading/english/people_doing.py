@@ -1,24 +1,41 @@
 """What people do, which asks for nothing: "the kids bump into it", "my father repairs clocks", "guests complain"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from thinkblox.knowledge.vocabulary import is_person, name_of
 from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at, filler
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
+_ROBOT = "robot"
 _LONGEST = 12
 """Most chunks of what they do."""
 
 
 def with_people_doing(chunks: Sequence[Chunk]) -> list[Chunk]:
     """The chunks, where what people do with nothing that is new is filler, up to the end of its clause."""
-    made, at = list(chunks), 0
+    made, at = [*_with_robot(chunks)], 0
     while at < len(made):
         end = _end(made, at) if _begins(made, at) else at
         made[at:end] = [chunk if _is_room(chunk) else filler(chunk) for chunk in made[at:end]]
         at = max(end, at + 1)
     return made
+
+
+def _with_robot(chunks: Sequence[Chunk]) -> Iterator[Chunk]:
+    """The chunks with a robot for "the robot" that faces something, or stands somewhere, where none was named."""
+    for at, chunk in enumerate(chunks):
+        if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.word == _ROBOT:
+            yield from chunks[at:]
+            return
+        robot = isinstance(chunk, Noun) and chunk.kind == "people" and chunk.text.lower() == f"the {_ROBOT}"
+        begins = not at or is_link(chunks[at - 1], "mark", "stop", "semicolon")
+        if robot and isinstance(chunk, Noun) and begins and is_link(chunk_at(chunks, at + 1), "verbs", "face", "stand"):
+            yield replace(chunk, kind="thing", value=_ROBOT, det="a")
+            yield from chunks[at + 1 :]
+            return
+        yield chunk
 
 
 def _begins(chunks: Sequence[Chunk], at: int) -> bool:
