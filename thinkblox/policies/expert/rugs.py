@@ -48,8 +48,10 @@ def under_all(situation: Situation, anchor: Placement, others: Sequence[Placemen
     most = sizes[1] if sizes is not None else situation.size
     needed = (x1 - x0 + 2 * PAST_MIDDLE, y1 - y0 + 2 * PAST_MIDDLE)
     for turn, (deep, wide) in ((0.0, needed), (90.0, needed[::-1])):
-        grown = (max(situation.size[0], deep), max(situation.size[1], wide), situation.size[2])
-        size = (min(grown[0], most[0]), min(grown[1], most[1]), grown[2])
+        depth, width = min(max(situation.size[0], deep), most[0]), min(max(situation.size[1], wide), most[1])
+        if situation.size[0] == situation.size[1]:
+            depth = width = max(depth, width)  # A round one stays round.
+        size = (depth, width, situation.size[2])
         yield _lie(situation, anchor, ((x0 + x1) / 2, (y0 + y1) / 2), turn, size, 0.0)
 
 

@@ -23,6 +23,9 @@ def with_apposed(chunks: Sequence[Chunk]) -> list[Chunk]:
             begun = len(made) - (bool(made) and is_link(made[-1], "prepositions"))
             made[begun:] = [filler(chunk) for chunk in [*made[begun:], chunks[at]]]
             at += 1
+        elif (counted := _numbered(chunks, at)) is not None:
+            made += [counted, filler(chunks[at + 1]), filler(chunks[at + 2])]
+            at += 3
         elif (look := _look_again(chunks, at)) is not None:
             made += [Connector("verbs", "be", look.start, look.start, "is"), look]
             made.append(Connector("joins", "and", look.end, look.end, "and"))
@@ -49,6 +52,16 @@ def _is_named_again(chunks: Sequence[Chunk], at: int) -> bool:
         return False
     plain = bare.kind == "thing" and bare.plural and not (bare.det or bare.count or bare.attributes or bare.unshown)
     return plain and counted.kind == "thing" and counted.value == bare.value and bool(counted.count)
+
+
+def _numbered(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """The thing of "television: 1, on the wall" with its number."""
+    bare, colon, number, end = (*chunks[at : at + 4], None, None, None)[:4]
+    if not isinstance(bare, Noun) or not isinstance(number, Noun) or not is_link(colon, "mark", "colon"):
+        return None
+    plain = bare.kind == "thing" and not (bare.det or bare.count or bare.plural) and number.text.isdigit()
+    one = plain and number.kind == "number" and number.count == 1 and (end is None or is_link(end, "mark"))
+    return replace(bare, count=number.count) if one else None
 
 
 def _look_again(chunks: Sequence[Chunk], at: int) -> Adjective | None:

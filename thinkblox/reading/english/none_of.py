@@ -14,6 +14,7 @@ def with_none_of(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which there is none of what none of several has; where there are others, it is not understood."""
     made: list[Chunk] = []
     at = 0
+    chunks = [_of_all(chunks, n) or chunk for n, chunk in enumerate(chunks)]
     while at < len(chunks):
         several, has, what = (*chunks[at : at + _LENGTH], None, None)[:_LENGTH]
         told = isinstance(several, Noun) and is_holding(has) and isinstance(what, Noun)
@@ -27,6 +28,23 @@ def with_none_of(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunks[at])
             at += 1
     return made
+
+
+def _of_all(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """The sculptures of "three sculptures: one is bronze, two are marble, and none of them stands in a corner"."""
+    none = chunks[at]
+    if not isinstance(none, Noun) or (none.kind, none.text.lower()) != ("pronoun", "none of them"):
+        return None
+    parted = False
+    for chunk in reversed(chunks[:at]):
+        if is_link(chunk, "mark", "stop"):
+            return None
+        if isinstance(chunk, Noun) and chunk.kind == "thing":
+            several = parted and (chunk.count or 0) > 1
+            made = replace(chunk, start=none.start, end=none.end, det="none", count=None, attributes=[], of_known=True)
+            return replace(made, text=f"none of the {chunk.word}s") if several else None
+        parted |= isinstance(chunk, Noun) and chunk.kind in ("number", "pronoun") and bool(chunk.count)
+    return None
 
 
 def _have_none(chunks: Sequence[Chunk], at: int, several: Noun, what: Noun) -> bool:
