@@ -204,7 +204,8 @@ def crib(spec: Spec) -> Build:
         ),
     ]
     build.surfaces = [
-        top_surface("mattress", (along[0] + 0.05, -0.03), (inner[0] + 0.05, inner[1] - 0.05), 0.38, headroom=None)
+        top_surface("mattress", (along[0] + 0.05, -0.03), (inner[0] + 0.05, inner[1] - 0.05), 0.38, headroom=None),
+        top_surface("cover", (0.03, along[1] - 0.05), (inner[0] + 0.05, inner[1] - 0.05), 0.395, headroom=None),
     ]
     return build
 
