@@ -3,7 +3,8 @@
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, revision
 from thinkblox.assets.plurals import singulars
@@ -32,7 +33,7 @@ class ThingName:
     name: str
 
 
-class _Meaning(NamedTuple):
+class _Meaning(Struct, frozen=True, gc=False):
     """What a phrase means; `singular` is empty where it is the phrase itself."""
 
     category: str

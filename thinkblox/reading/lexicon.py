@@ -2,11 +2,14 @@
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import takewhile
 from pathlib import Path
 from typing import Literal
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from thinkblox.assets import CATALOGUE, revision
 from thinkblox.knowledge.things import things
@@ -62,8 +65,7 @@ _LONGEST_COMPOUND = 60
 """Letters of a compound that are looked at."""
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(Struct, frozen=True, gc=False):
     """One meaning of a phrase: `value` is a category, room type, relation, ..., according to `sort`."""
 
     sort: Sort

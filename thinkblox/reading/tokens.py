@@ -2,7 +2,9 @@
 
 import re
 import unicodedata
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 _TOKEN = re.compile(
     r"(?P<unit>(?<![^\W\d_])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
@@ -17,8 +19,7 @@ _JOINED = ("s", "t", "re", "ll", "ve", "m", "d")
 _LETTERS = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "×": "x", "ł": "l"})
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(Struct, frozen=True, gc=False):
     """A word, number or mark.
 
     Attributes:

@@ -1,7 +1,8 @@
 """One more of what was named before: "another one", "a second one", "of the same kind"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
@@ -34,8 +35,8 @@ def with_another(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         if not begun or _verb(left, verbs[-1]) not in _BRINGING or _verb(left, begun[-1]) in _GOING:
             continue
         head = _named(lexicon, left, begun[-1], at)
-        another = replace(left[at], text="another")
-        left[at : at + length] = [another, *(replace(token, start=-1) for token in head)]
+        another = structs.replace(left[at], text="another")
+        left[at : at + length] = [another, *(structs.replace(token, start=-1) for token in head)]
     return left
 
 
@@ -96,7 +97,7 @@ def _named(lexicon: Lexicon, tokens: Sequence[Token], begin: int, end: int) -> l
         looks = [token for token in looks if token.text not in ("second", "new", "other")]
         last = tokens[at + found.length - 1]
         one = singular(last.text)
-        return [*looks, *tokens[at : at + found.length - 1], replace(last, text=one, shown=one)]
+        return [*looks, *tokens[at : at + found.length - 1], structs.replace(last, text=one, shown=one)]
     return []
 
 
@@ -115,8 +116,14 @@ def _for_which_space(tokens: list[Token]) -> list[Token]:
         if words[named] not in ("a", "an", "another"):
             continue
         if words[at] == "use":
-            put, there = (replace(tokens[at], text=text, shown=text, start=-1) for text in ("put", "there"))
-            return [*tokens[:at], replace(put, start=tokens[at].start), *tokens[named:end], there, *tokens[end:]]
+            put, there = (structs.replace(tokens[at], text=text, shown=text, start=-1) for text in ("put", "there"))
+            return [
+                *tokens[:at],
+                structs.replace(put, start=tokens[at].start),
+                *tokens[named:end],
+                there,
+                *tokens[end:],
+            ]
         so = end + 1 + (words[end + 1 : end + 2] == ["so"])
         one = next((n for n in range(so, min(so + 3, len(words))) if words[n] == "one"), None)
         begin = at - (at > 0 and words[at - 1] in ("i", "we"))

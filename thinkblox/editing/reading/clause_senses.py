@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from msgspec import structs
+
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import BRINGS, ENDS, LINKS, TO, WANTS, Clause, ends_at
 from thinkblox.editing.reading.clause_starts import wished_at
@@ -32,7 +34,7 @@ def of_lacking(clause: Clause) -> Clause:
     at = next(n for n in range(len(clause.tokens)) if longest("lacking", clause.tokens, n) is not None)
     the = next((n for n in range(at - 1, max(at - 4, 0), -1) if lacking[n].text == "the"), None)
     if the is not None:
-        lacking = (*lacking[:the], replace(lacking[the], text="every"), *lacking[the + 1 :])
+        lacking = (*lacking[:the], structs.replace(lacking[the], text="every"), *lacking[the + 1 :])
     return Clause("ensure", "", lacking, clause.text)
 
 
@@ -49,7 +51,7 @@ def turned_about(clause: Clause) -> Clause:
         if not tokens or tokens[0].text in ("all", "both", "every", "each", "everything"):
             raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
         pointed = tokens[0].text in ("the", "this", "that")
-        body = (replace(tokens[0], text="another"), *tokens[1:]) if pointed else tokens
+        body = (structs.replace(tokens[0], text="another"), *tokens[1:]) if pointed else tokens
         return Clause("add", "", body, clause.text)
     if clause.doing in ("gather", "spread"):
         return _gathered_or_spread(clause)
@@ -112,7 +114,7 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather" and clause.text.lower().startswith("pair"):
-        of_two = (replace(token, start=-1) for token in tokenise("into groups of two"))
+        of_two = (structs.replace(token, start=-1) for token in tokenise("into groups of two"))
         return Clause("move", "", (*(token for token in tokens if token.text not in ENDS), *of_two), clause.text)
     if clause.doing == "gather":
         faced = any(grammar().at(tokens, n, "mutual") is not None for n in range(len(tokens)))
@@ -199,7 +201,7 @@ def had_by(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
     rest = [token for token in body if token.text not in ENDS]
     own = next((n for n, t in enumerate(rest) if t.text in ("its", "their") and _is_part(rest, n + 1)), None)
     if own is not None:
-        return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
+        return (*rest[:own], structs.replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
     along = next((n for n, token in enumerate(rest) if n and token.text == "with" and not _is_in_name(rest, n)), None)
     if along is not None:
         return (*rest[:along], TO, *whose, *rest[along:])

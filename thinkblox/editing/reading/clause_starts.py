@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from msgspec import structs
+
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import (
     ENDS,
@@ -167,7 +169,9 @@ def _nearest_of(subject: Sequence[Token]) -> tuple[Token, ...]:
     """What a wish is about, where "(the armchair) closer to the door" is the one that is so."""
     words = {"closer": "nearest", "nearer": "nearest", "further": "farthest", "farther": "farthest"}
     told = [n for n in range(1, len(subject) - 1) if subject[n].text in words and subject[n + 1].text in ("to", "from")]
-    return tuple(replace(token, text=words[token.text]) if n in told else token for n, token in enumerate(subject))
+    return tuple(
+        structs.replace(token, text=words[token.text]) if n in told else token for n, token in enumerate(subject)
+    )
 
 
 def wished_at(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> ClauseStart:

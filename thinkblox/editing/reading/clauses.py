@@ -3,6 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from msgspec import structs
+
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import (
     AGAIN,
@@ -116,7 +118,7 @@ def _going_on(tokens: Sequence[Token], starts: list[ClauseStart]) -> list[Clause
         wished = bool(left) and left[-1].doing == "put" and bool(left[-1].before)
         linked = start.begin > 0 and tokens[start.begin - 1].text == "and" and tokens[start.begin].text == "face"
         if wished and linked and start.doing == "turn" and start.body == start.begin + 1:
-            it = replace(TO, text="it", shown="it")
+            it = structs.replace(TO, text="it", shown="it")
             start = replace(start, doing="put", body=start.begin, before=(it,))
         left.append(start)
     return left

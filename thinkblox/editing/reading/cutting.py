@@ -1,7 +1,9 @@
 """The words of one clause cut to pieces: the reader's noun phrases and connectors, and phrases of instructions' own."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
@@ -306,7 +308,7 @@ def _excepting(tokens: Sequence[Token]) -> list[Token]:
     left: list[Token] = []
     for token in tokens:
         if token.text == "from" and left and left[-1].text == "apart":
-            left[-1] = replace(left[-1], text="except", shown=f"{left[-1].shown} {token.shown}")
+            left[-1] = structs.replace(left[-1], text="except", shown=f"{left[-1].shown} {token.shown}")
         else:
             left.append(token)
     return left

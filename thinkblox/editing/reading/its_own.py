@@ -1,7 +1,8 @@
 """What belongs to a thing, said in other words: "with the chair behind it", "everything that belongs to it"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.grammar import longest
@@ -36,8 +37,8 @@ def with_its_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 
 def _words(text: str, start: Token | None = None) -> list[Token]:
-    said = [replace(token, start=-1) for token in tokenise(text)]
-    return [replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
+    said = [structs.replace(token, start=-1) for token in tokenise(text)]
+    return [structs.replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
 
 
 def _not_of_wall(tokens: Sequence[Token]) -> list[Token]:
@@ -76,7 +77,7 @@ def _coming_along(tokens: list[Token]) -> list[Token]:
         end = at + 2 + (left[at + 1].text == "along" and [t.text for t in left[at + 2 : at + 4]] == ["with", "it"]) * 2
         end += left[at + 1].text == "with" and [t.text for t in left[at + 2 : at + 3]] == ["it"]
         keep, link = _words("keep with it", left[begin])[:1], _words("with it")
-        left[begin:end] = [replace(keep[0], start=-1), *left[begin:at], *link]
+        left[begin:end] = [structs.replace(keep[0], start=-1), *left[begin:at], *link]
     return left
 
 
@@ -99,7 +100,7 @@ def _seated(lexicon: Lexicon, tokens: list[Token]) -> list[Token]:
         if not again or not verbs or verbs[-1] not in _MOVING:
             continue
         if facts_of(thing.value).is_in("seating") and link.value in _AT_SEAT and left[it].text == "it":
-            left[at + 1 : it + 1] = [replace(left[at + 1], text="its"), *left[at + 2 : at + 2 + named.length]]
+            left[at + 1 : it + 1] = [structs.replace(left[at + 1], text="its"), *left[at + 2 : at + 2 + named.length]]
         elif link.value in _ASIDE:
             left[at:] = [*_words("and put", left[at]), *_of_head(left[at + 1 :], _head(lexicon, left[:at]))]
     return left
@@ -110,7 +111,7 @@ def _head(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     for at in range(1, len(tokens)):
         named = lexicon.longest(list(tokens), at)
         if named.entry("object") is not None and tokens[at - 1].text in ("the", "my", "our"):
-            return [replace(token, start=-1) for token in tokens[at - 1 : at + named.length]]
+            return [structs.replace(token, start=-1) for token in tokens[at - 1 : at + named.length]]
     return []
 
 
@@ -123,7 +124,7 @@ def _of_head(tokens: Sequence[Token], head: Sequence[Token]) -> list[Token]:
             return [*left, *tokens[at:]]
         part = token.text == "its" and grammar().at(tokens, at + 1, "parts") is not None
         if head and part:
-            left += [replace(token, text="the")]
+            left += [structs.replace(token, text="the")]
         elif head and token.text == "it":
             left += [*head]
         else:

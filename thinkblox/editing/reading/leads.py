@@ -1,7 +1,8 @@
 """What stands before an order: what is told of a thing, announced, disliked or new, and why."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
@@ -48,7 +49,7 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
     )
     start = start_at(rest, first, first=True) if first < len(rest) else None
     if start is None and said is not None and _is_list_of_new(lead, said, rest):
-        return [*tokens[:begin], replace(tokens[at], text="add", kind="word"), *rest]
+        return [*tokens[:begin], structs.replace(tokens[at], text="add", kind="word"), *rest]
     if start is None:
         return [*tokens[:begin], *lead, *rest]
     end = next((n for n in range(first, len(rest)) if rest[n].text in ENDS), len(rest))
@@ -57,7 +58,7 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
         return [*tokens[:begin], *rest[: first + 1], _ON, *lead[said.body :], *rest[first + 1 :]]
     again = any(token.text in AGAIN for token in rest[first:end])
     if again or (said is not None and said.doing not in _ANNOUNCING):
-        return [*tokens[:begin], *lead, replace(tokens[at], text="."), *rest]
+        return [*tokens[:begin], *lead, structs.replace(tokens[at], text="."), *rest]
     if said is not None and start.doing == "keep" and start.before:
         subject = first + len(start.before)
         return [*tokens[:begin], *rest[:subject], _ON, *lead[said.body :], *rest[subject:]]
@@ -127,7 +128,7 @@ def one_of(about: Sequence[Token], body: Sequence[Token]) -> tuple[Token, ...]:
     if [token.text for token in body[:2]] not in (["the", "one"], ["the", "ones"]):
         return tuple(body)
     name = singular(about[-1].text) if body[1].text == "one" else about[-1].text
-    return (body[0], *about[1:-1], replace(body[1], text=name), *body[2:])
+    return (body[0], *about[1:-1], structs.replace(body[1], text=name), *body[2:])
 
 
 def _named_first(lead: Sequence[Token], first: int) -> int:

@@ -1,8 +1,9 @@
 """So many of a kind, each with its own place: "two plants, one by the sofa and one in the corner"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import pairwise
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
@@ -65,7 +66,7 @@ def _shared(lexicon: Lexicon, said: Sequence[Token], *, known: bool) -> list[Tok
     if not all(place and _is_place(place) for place in places):
         return []
     named = [_named(thing, count, number if known else None) for number, count in enumerate(counts)]
-    joins = [[], *([replace(tokenise("and")[0], start=-1)] for _ in parts[1:])]
+    joins = [[], *([structs.replace(tokenise("and")[0], start=-1)] for _ in parts[1:])]
     return [t for join, name, place in zip(joins, named, places, strict=True) for t in (*join, *name, *place)]
 
 
@@ -107,15 +108,15 @@ def _with_whole(places: Sequence[list[Token]]) -> list[list[Token]]:
     sides = ("left", "right")
     if of is None or not of or places[-1][of - 1].text not in sides:
         return list(places)
-    tail = [replace(token, start=-1) for token in places[-1][of:]]
+    tail = [structs.replace(token, start=-1) for token in places[-1][of:]]
     return [place + tail if place and place[-1].text in sides else place for place in places]
 
 
 def _named(thing: Sequence[Token], count: int, number: int | None) -> list[Token]:
     """So many of a thing: "a plant", "two plants"; of known ones "one chair" and "the other chair"."""
-    *looks, last = (replace(token, start=token.start if not number else -1) for token in thing)
+    *looks, last = (structs.replace(token, start=token.start if not number else -1) for token in thing)
     if count == 1:
         one = singular(last.text)
-        last = replace(last, text=one, shown=one)
+        last = structs.replace(last, text=one, shown=one)
     said = str(count) if count > 1 else ("a" if number is None else "the other" if number else "one")
-    return [*(replace(token, start=-1) for token in tokenise(said)), *looks, last]
+    return [*(structs.replace(token, start=-1) for token in tokenise(said)), *looks, last]

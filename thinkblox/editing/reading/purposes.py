@@ -1,7 +1,8 @@
 """What somebody says that an order is for, or why: a view is what a thing is to face, all else asks for nothing."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.reading.clause import ENDS
@@ -130,7 +131,10 @@ def _without_purpose(tokens: list[Token], at: int) -> list[Token]:
             end -= 2
         words = tokenise("so that it faces")
         shown = " ".join(token.shown for token in tokens[at : done + seen[1]])
-        faces = [replace(words[0], shown=shown, start=tokens[at].start), *(replace(w, start=-1) for w in words[1:])]
+        faces = [
+            structs.replace(words[0], shown=shown, start=tokens[at].start),
+            *(structs.replace(w, start=-1) for w in words[1:]),
+        ]
         return [*tokens[:at], *faces, *_without_from(tokens[done + seen[1] : end]), *tokens[end:]]
     if (sits := longest("sitting", tokens, done)) is not None and _placed(tokens, done + sits[1]):
         return [*tokens[:at], *tokens[done + sits[1] :]]
@@ -158,15 +162,15 @@ def _seated(tokens: list[Token], at: int) -> list[Token]:
     end = _end(tokens, said)
     if sits >= end or tokens[sits].text not in ("sit", "eat", "dine", "be") or _placed(tokens, sits + 1):
         return []
-    words = [replace(token, start=-1) for token in tokenise(", there should be chairs at it")]
+    words = [structs.replace(token, start=-1) for token in tokenise(", there should be chairs at it")]
     shown = " ".join(token.shown for token in tokens[at:end])
-    there = replace(words[1], start=tokens[at].start, shown=shown)
+    there = structs.replace(words[1], start=tokens[at].start, shown=shown)
     rest = tokens[end:]
     more = [token.text for token in rest]
     begun = sum(word in (",", "and", "then") for word in more[:2])
     needless = more[begun : begun + 1] == ["add"] and [w for w in more[begun + 1 :] if w not in _NEEDED] == ["chairs"]
     rest = [] if needless else rest
-    return [*tokens[:at], words[0], there, *words[2:4], replace(tokens[said], start=-1), *words[4:], *rest]
+    return [*tokens[:at], words[0], there, *words[2:4], structs.replace(tokens[said], start=-1), *words[4:], *rest]
 
 
 def _without_whole(tokens: list[Token], at: int) -> list[Token]:
@@ -283,7 +287,7 @@ def without_given(tokens: Sequence[Token]) -> list[Token]:
     named = [token for token in tokens[begin:end] if token.text not in ("a", "an", "any", "some", "still")]
     if at is None or any(token.text in (*ENDS, ",") for token in tokens[end + 1 : at]):
         return list(tokens)
-    the = replace(tokens[3], text="the")
+    the = structs.replace(tokens[3], text="the")
     return [*tokens[end + 1 : at], the, *named, *tokens[at + 1 :]]
 
 
@@ -302,6 +306,6 @@ def _views_first(tokens: list[Token]) -> list[Token]:
     again = verb + found[1] if found is not None else len(tokens)
     if whence is None or found is None or again >= len(tokens) or tokens[again].text not in _AGAIN:
         return tokens
-    faces = [replace(token, start=-1) for token in tokenise("so that it faces")]
+    faces = [structs.replace(token, start=-1) for token in tokenise("so that it faces")]
     about = tokens[whence + 1 : end]
     return [*tokens[verb:again], *about, *faces, *tokens[begin:whence], *tokens[again + 1 :]]

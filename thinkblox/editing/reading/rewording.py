@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
@@ -45,8 +46,8 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             at += 1
             continue
         words, (first, *more) = " ".join(t.shown for t in tokens[at : at + found[1]]), tokenise(found[0])
-        left.append(replace(first, shown=words, start=tokens[at].start))
-        left += [replace(token, start=-1) for token in more]
+        left.append(structs.replace(first, shown=words, start=tokens[at].start))
+        left += [structs.replace(token, start=-1) for token in more]
         at += found[1]
     return left
 
@@ -60,11 +61,13 @@ def in_between(tokens: Sequence[Token]) -> list[Token]:
         begin = next((n for n in range(at - 1, max(at - MOST_NAMED, -1), -1) if left[n].text == "with"), None)
         if begin is None or any(left[n].kind == "mark" for n in range(begin, at)):
             continue
-        between = [replace(token, start=-1) for token in tokenise("between them")]
-        between[0] = replace(between[0], shown=f"{tokens[at].shown} {tokens[at + 1].shown}", start=tokens[at].start)
+        between = [structs.replace(token, start=-1) for token in tokenise("between them")]
+        between[0] = structs.replace(
+            between[0], shown=f"{tokens[at].shown} {tokens[at + 1].shown}", start=tokens[at].start
+        )
         put = Token("put", "put", "word", start=-1)
         left[at : at + 2] = between
-        left[begin : begin + 1] = [replace(left[begin], text="and", shown="and"), put]
+        left[begin : begin + 1] = [structs.replace(left[begin], text="and", shown="and"), put]
     return left
 
 
@@ -83,7 +86,7 @@ def with_new_on_it(tokens: Sequence[Token]) -> list[Token]:
         if tokens[at].text != "with" or tokens[at + 1].text not in ("a", "an"):
             continue
         comma, add = Token(",", ",", "mark", start=-1), Token("add", "add", "word", start=tokens[at].start)
-        added = [comma, replace(add, shown=tokens[at].shown)]
+        added = [comma, structs.replace(add, shown=tokens[at].shown)]
         if _is_beside_it(tokens, at):
             for sides in (n + 3 for n in range(at, min(at + MOST_NAMED, len(tokens))) if _is_at_sides(tokens, n)):
                 left[sides:sides] = [Token(word, word, "word", start=-1) for word in ("of", "it")]
@@ -161,10 +164,10 @@ def with_borne(tokens: Sequence[Token]) -> list[Token]:
         end = next((n for n in range(after, len(tokens)) if tokens[n].kind == "mark"), len(tokens))
         if not held or not rug or after >= end or tokens[after].text not in (*_ARTICLES, "all", "both"):
             continue
-        makes = [replace(token, start=-1) for token in tokenise("; make it bigger so that")]
+        makes = [structs.replace(token, start=-1) for token in tokenise("; make it bigger so that")]
         shown = " ".join(token.shown for token in tokens[begin:after])
-        makes[1] = replace(makes[1], shown=shown, start=tokens[begin].start)
-        ends = [replace(token, start=-1) for token in tokenise("are on it")]
+        makes[1] = structs.replace(makes[1], shown=shown, start=tokens[begin].start)
+        ends = [structs.replace(token, start=-1) for token in tokenise("are on it")]
         left[begin:end] = [*makes, *tokens[after:end], *ends]
     return left
 
@@ -188,9 +191,11 @@ def counted_to(tokens: Sequence[Token]) -> list[Token]:
     first = begin + (4 if said[1:3] == ["number", "of"] else 2)
     last = next((n for n in range(first, to) if tokens[n].text in ("from", "down", "up")), to)
     first += tokens[first].text == "the"
-    there = [replace(token, start=-1) for token in tokenise("there should only be")]
-    there[0] = replace(there[0], shown=" ".join(t.shown for t in tokens[begin:first]), start=tokens[begin].start)
-    number = [replace(tokens[to + 1], start=tokens[to + 1].start)]
+    there = [structs.replace(token, start=-1) for token in tokenise("there should only be")]
+    there[0] = structs.replace(
+        there[0], shown=" ".join(t.shown for t in tokens[begin:first]), start=tokens[begin].start
+    )
+    number = [structs.replace(tokens[to + 1], start=tokens[to + 1].start)]
     return [*tokens[:begin], *there, *number, *tokens[first:last], *tokens[end:]] if first < last else list(tokens)
 
 
@@ -205,7 +210,7 @@ def _too_many(tokens: Sequence[Token]) -> list[Token]:
     if found is None or found[0] != "only" or not counted:
         return list(tokens)
     first, the, to = (Token(word, word, "word", start=-1) for word in ("reduce", "the", "to"))
-    first = replace(first, shown=" ".join(t.shown for t in tokens[: at + 1]), start=tokens[0].start)
+    first = structs.replace(first, shown=" ".join(t.shown for t in tokens[: at + 1]), start=tokens[0].start)
     return [first, the, *tokens[at + 1 : end], to, tokens[end + 1], *tokens[end + 2 + found[1] :]]
 
 
@@ -220,8 +225,8 @@ def with_its_wall(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
             continue
         the, wall, along = (Token(word, word, "word", start=-1) for word in ("the", "wall", "with"))
         shown = " ".join(token.shown for token in tokens[begin : at + 1])
-        wall = replace(wall, shown=shown, start=tokens[begin].start)
-        left[begin : at + 1] = [the, wall, along, the, *(replace(t, start=-1) for t in tokens[begin + 1 : at])]
+        wall = structs.replace(wall, shown=shown, start=tokens[begin].start)
+        left[begin : at + 1] = [the, wall, along, the, *(structs.replace(t, start=-1) for t in tokens[begin + 1 : at])]
     return left
 
 
@@ -235,14 +240,16 @@ def in_its_place(tokens: Sequence[Token]) -> list[Token]:
         link = grammar().at(tokens, at + 2, "prepositions")
         if tokens[at].text == "instead" and tokens[at + 1].text == "of" and link is not None and link.value != "of":
             comma, no = Token(",", ",", "mark", start=-1), Token("not", "not", "word", start=-1)
-            left[at : at + 2] = [comma, replace(no, shown="instead of", start=tokens[at].start)]
+            left[at : at + 2] = [comma, structs.replace(no, shown="instead of", start=tokens[at].start)]
     tokens = list(left)
     for at in reversed(range(2, len(tokens) - 2)):
         words = [token.text for token in tokens[at : at + 3]]
         its = {"it": "its", "them": "their"}.get(words[2], "")
         if words[:2] == ["instead", "of"] and its and tokens[at - 1].text in (*_BREAKS, "and"):
-            place = [replace(token, start=-1) for token in tokenise(f"in {its} place")]
-            place[0] = replace(place[0], shown=" ".join(t.shown for t in tokens[at : at + 3]), start=tokens[at].start)
+            place = [structs.replace(token, start=-1) for token in tokenise(f"in {its} place")]
+            place[0] = structs.replace(
+                place[0], shown=" ".join(t.shown for t in tokens[at : at + 3]), start=tokens[at].start
+            )
             left[at : at + 3] = place
     return left
 
@@ -258,7 +265,7 @@ def without_rather_than(tokens: Sequence[Token]) -> list[Token]:
     if tokens[at + 1].text not in ("a", "an", *_ARTICLES):
         return list(tokens)
     the = Token("the", "the", "word", start=-1)
-    instead = [replace(tokens[at], text="instead"), Token("of", "of", "word", start=-1), the]
+    instead = [structs.replace(tokens[at], text="instead"), Token("of", "of", "word", start=-1), the]
     return [*tokens[:at], *instead, *tokens[at + 2 :]]
 
 
@@ -272,8 +279,8 @@ def something_instead(tokens: Sequence[Token]) -> list[Token]:
     if verbs or later is None:
         return list(tokens)
     remove, the, add = (Token(word, word, "word", start=-1) for word in ("remove", "the", "add"))
-    first = [replace(remove, shown=tokens[0].shown, start=tokens[0].start), the, *tokens[1:end]]
-    return [*first, replace(tokens[end], text=";"), add, *tokens[end + 1 : later], *tokens[later + 1 :]]
+    first = [structs.replace(remove, shown=tokens[0].shown, start=tokens[0].start), the, *tokens[1:end]]
+    return [*first, structs.replace(tokens[end], text=";"), add, *tokens[end + 1 : later], *tokens[later + 1 :]]
 
 
 def with_owners(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
@@ -288,7 +295,7 @@ def with_owners(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
             continue
         end = at + 1 + named.length
         one = singular(left[at].text)
-        whole = [*left[begin:at], replace(left[at], owner=False, text=one, shown=one)]
+        whole = [*left[begin:at], structs.replace(left[at], owner=False, text=one, shown=one)]
         the = Token("the", "the", "word", start=-1)
         left[begin:end] = [the, *left[at + 1 : end], Token("of", "of", "word", start=-1), *whole]
     return left
@@ -310,7 +317,7 @@ def with_heads(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         begun = [n for n in range(at - 2) if tokens[n].text == link] if link else []
         head = _first_thing(lexicon, tokens[begun[-1] : at - 2]) if begun else _last_thing(lexicon, tokens[: at - 1])
         if head is not None:
-            left.insert(at + 1, replace(head, text=singular(head.text), owner=False, start=-1))
+            left.insert(at + 1, structs.replace(head, text=singular(head.text), owner=False, start=-1))
     return left
 
 
@@ -324,14 +331,14 @@ def with_own(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         if tokens[at].text == "one" and _is_for_many(tokens, at + 1):
             head = _last_thing(lexicon, tokens[:at])
             name = singular(head.text) if head is not None else tokens[at].text
-            left[at] = replace(tokens[at], text=name, shown=name)
+            left[at] = structs.replace(tokens[at], text=name, shown=name)
             continue
         if tokens[at].text not in ("mine", "ours", "yours"):
             continue
         begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in (".", ";", "!", "?")), 0)
         if (head := _first_thing(lexicon, tokens[begin:at])) is not None:
-            the = replace(tokens[at], text="the")
-            left[at : at + 1] = [the, replace(head, text=singular(head.text), start=-1)]
+            the = structs.replace(tokens[at], text="the")
+            left[at : at + 1] = [the, structs.replace(head, text=singular(head.text), start=-1)]
     return left
 
 
@@ -362,7 +369,7 @@ def _last_thing(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:
 
 def _is_thing(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> bool:
     """Whether a thing of the catalogue is named by the tokens that end there."""
-    token = replace(tokens[at], owner=False)
+    token = structs.replace(tokens[at], owner=False)
     return any(
         (found := lexicon.longest([*tokens[begin:at], token], 0)).entry("object") is not None
         and found.length == at + 1 - begin
@@ -459,7 +466,7 @@ def included(tokens: list[Token]) -> list[Token]:
         comma = next((n for n in range(at - 1, max(at - 4, 0), -1) if read[n].text == ","), None)
         if comma is not None and comma < at - 1:
             own = () if read[comma + 1].text in ("the", "its", "their") else tokenise("its")
-            said = [replace(token, start=-1) for token in (*tokenise("with"), *own)]
+            said = [structs.replace(token, start=-1) for token in (*tokenise("with"), *own)]
             read[comma : at + 1] = [*said, *read[comma + 1 : at]]
     return read
 

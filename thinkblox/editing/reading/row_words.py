@@ -1,6 +1,6 @@
 """The words of rows as they are read: "the front row", "the first and the last row", "a sixth table"."""
 
-from dataclasses import replace
+from msgspec import structs
 
 from thinkblox.editing.lengths import is_number
 from thinkblox.reading.english.grammar import grammar
@@ -15,12 +15,12 @@ def with_rows(tokens: list[Token]) -> list[Token]:
     for index, token in enumerate(tokens[:-1]):
         rows = tokens[index + 2].text == "rows" if index + 2 < len(tokens) and is_number(tokens[index + 1]) else False
         if token.text in words and (tokens[index + 1].text == "row" or rows):
-            read[index] = replace(token, text=words[token.text])
+            read[index] = structs.replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
         if tokens[index + 1].text == "round" and tokens[index + 2].text in ("one", "ones"):
-            read[index + 1] = replace(tokens[index + 1], text="circular")
+            read[index + 1] = structs.replace(tokens[index + 1], text="circular")
         if tokens[index].text in ("a", "an", "another") and tokens[index + 1].text == "lower":
-            read[index + 1] = replace(tokens[index + 1], text="lowest")
+            read[index + 1] = structs.replace(tokens[index + 1], text="lowest")
     return read
 
 
@@ -34,8 +34,8 @@ def _each_row(tokens: list[Token]) -> list[Token]:
             continue
         if _is_ordinal(tokens[at]) and _is_ordinal(tokens[second]):
             the = tokens[at + 2] if second > at + 2 else Token("the", "the", "word", start=-1)
-            read[second + 1] = replace(row, text="row")
-            read[at + 1 : second] = [replace(row, text="row", start=-1), tokens[at + 1], the]
+            read[second + 1] = structs.replace(row, text="row")
+            read[at + 1 : second] = [structs.replace(row, text="row", start=-1), tokens[at + 1], the]
     return read
 
 
@@ -46,7 +46,7 @@ def _one_more(tokens: list[Token]) -> list[Token]:
         counted = tokens[at].text == "a" and _is_ordinal(tokens[at + 1]) and tokens[at + 1].text != "last"
         if counted and tokens[at + 2].kind == "word" and tokens[at + 2].text not in ("of", "one"):
             words = f"{tokens[at].shown} {tokens[at + 1].shown}"
-            read[at : at + 2] = [replace(tokens[at], text="another", shown=words)]
+            read[at : at + 2] = [structs.replace(tokens[at], text="another", shown=words)]
     return read
 
 

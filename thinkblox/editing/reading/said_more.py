@@ -1,7 +1,8 @@
 """What is said more of the same things in one breath: "(I'd like the chairs by the wall) and turned to the door"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.editing.grammar import longest
 from thinkblox.editing.lengths import lengths_at
@@ -28,8 +29,8 @@ def with_more_said(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
 
 
 def _words(text: str, start: Token | None = None) -> list[Token]:
-    said = [replace(token, start=-1) for token in tokenise(text)]
-    return [replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
+    said = [structs.replace(token, start=-1) for token in tokenise(text)]
+    return [structs.replace(said[0], start=start.start, shown=start.shown), *said[1:]] if start is not None else said
 
 
 def _turned(tokens: list[Token]) -> list[Token]:
@@ -64,7 +65,7 @@ def _sided(tokens: list[Token]) -> list[Token]:
         if of is None or stop is None:
             continue
         part = [] if end > at + 1 or left[of - 1].text in _SIDES else [left[of - 1]]
-        whole = [replace(token, start=-1) for token in (*part, *left[of:stop])]
+        whole = [structs.replace(token, start=-1) for token in (*part, *left[of:stop])]
         left[end:end] = whole
     return left
 

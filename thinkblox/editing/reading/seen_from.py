@@ -1,7 +1,8 @@
 """From where left and right are said to be seen: "to the left of the stove as seen when standing in front of it"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.editing.grammar import longest
 from thinkblox.editing.reading.clause import ENDS
@@ -24,8 +25,8 @@ def as_seen(tokens: Sequence[Token]) -> list[Token]:
         begin = next((n + 1 for n in range(at - 1, -1, -1) if left[n].text in (*ENDS, ",")), 0)
         begin = begin if begin < at else next((n + 1 for n in range(at - 2, -1, -1) if left[n].text in ENDS), 0)
         if found[0] == "front":
-            said = [replace(token, text=_OTHER.get(token.text, token.text)) for token in left[begin:at]]
+            said = [structs.replace(token, text=_OTHER.get(token.text, token.text)) for token in left[begin:at]]
             left[begin:at] = said
         shown = " ".join(token.shown for token in left[at - 1 : end])
-        left[at - 1 : end] = [replace(left[at - 1], shown=shown)]
+        left[at - 1 : end] = [structs.replace(left[at - 1], shown=shown)]
     return left

@@ -1,7 +1,8 @@
 """Things that are told by a side: "the northern desk", "(from the left nightstand) to the right one"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.by_compass import WAYS
@@ -24,7 +25,7 @@ def with_sides(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     for at in range(3, len(left)):
         side = left[at - 1].text in _SIDES and left[at - 2].text == "the" and left[at - 3].text in _GOING
         if side and left[at].text == "one" and (head := _named_here(lexicon, left[: at - 3])) is not None:
-            left[at] = replace(head, text=singular(head.text), start=-1)
+            left[at] = structs.replace(head, text=singular(head.text), start=-1)
     return left
 
 
@@ -32,10 +33,10 @@ def _plain(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> Token:
     """A token, of "northern" before a thing "north"; the half of a room is the side of it."""
     token, after = tokens[at], list(tokens[at + 1 : at + 4])
     if token.text == "half" and [word.text for word in after] == ["of", "the", "room"]:
-        return replace(token, text="side", shown="side")
+        return structs.replace(token, text="side", shown="side")
     side = next((side for side in WAYS if token.text in [side + ending for ending in _ENDINGS]), "")
     named = bool(after) and (after[0].text == "one" or lexicon.longest(after, 0).entry("object") is not None)
-    return replace(token, text=side, shown=side) if side and named else token
+    return structs.replace(token, text=side, shown=side) if side and named else token
 
 
 def _named_here(lexicon: Lexicon, tokens: Sequence[Token]) -> Token | None:

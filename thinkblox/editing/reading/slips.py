@@ -1,7 +1,8 @@
 """Words of instructions that are written with a slip, or differently."""
 
-from dataclasses import replace
 from functools import lru_cache
+
+from msgspec import structs
 
 from thinkblox.editing.grammar import means, sections
 from thinkblox.reading.english.grammar import grammar
@@ -15,10 +16,10 @@ _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distance
 def without_slip(lexicon: Lexicon, token: Token) -> Token:
     """The word that is meant by one with a slip, or by one that is read as another."""
     if side := means("synonyms", token.text):
-        return replace(token, text=side)
+        return structs.replace(token, text=side)
     known = token.kind != "word" or any(means(s, token.text) for s in _OWN_WORDS)
     meant = "" if known else meant_by(lexicon, token.text, _of_orders())
-    return replace(token, text=meant) if meant else token
+    return structs.replace(token, text=meant) if meant else token
 
 
 @lru_cache(maxsize=1)

@@ -1,7 +1,8 @@
 """What a table is set with, and for how many: "set the table for six with plates, glasses and two candles"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
@@ -30,7 +31,9 @@ def with_settings(tokens: Sequence[Token]) -> list[Token]:
                     stop)  # fmt: skip
         said = _added(left[end:stop], table, count)
         if said:
-            said[0] = replace(said[0], shown=" ".join(t.shown for t in left[begin:end]), start=left[begin].start)
+            said[0] = structs.replace(
+                said[0], shown=" ".join(t.shown for t in left[begin:end]), start=left[begin].start
+            )
             left[begin:stop] = said
     return left
 
@@ -48,7 +51,7 @@ def _for_many(tokens: Sequence[Token], at: int) -> tuple[int, int, list[Token], 
     if not begun or not table or any(token.kind == "mark" for token in table):
         return None
     table = table if table[0].text in ("the", "my", "our", "it", "every", "each") else [*tokenise("the"), *table]
-    return verb or 0, after + 1, [replace(token, start=-1) for token in table], tokens[at + 1]
+    return verb or 0, after + 1, [structs.replace(token, start=-1) for token in table], tokens[at + 1]
 
 
 def _added(said: Sequence[Token], table: Sequence[Token], count: Token) -> list[Token]:
@@ -74,10 +77,10 @@ def _added(said: Sequence[Token], table: Sequence[Token], count: Token) -> list[
         else:
             place = item[where:]
         head = item[: where or len(item)]
-        number = [] if counted else [replace(count, start=-1)]
+        number = [] if counted else [structs.replace(count, start=-1)]
         add = _words("add")[0]
         begin = _words(";") if orders else []
-        add = replace(add, start=link.start, shown=link.shown) if orders and link is not None else add
+        add = structs.replace(add, start=link.start, shown=link.shown) if orders and link is not None else add
         orders += [*begin, add, *number, *head, *place]
     return orders
 
@@ -93,4 +96,4 @@ def _is_place(item: Sequence[Token], at: int) -> bool:
 
 
 def _words(text: str) -> list[Token]:
-    return [replace(token, start=-1) for token in tokenise(text)]
+    return [structs.replace(token, start=-1) for token in tokenise(text)]

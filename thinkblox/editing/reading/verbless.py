@@ -1,7 +1,8 @@
 """What is asked for without a verb: "red stools", "a round table instead"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
@@ -72,8 +73,8 @@ def _instead(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
     one = singular(last.text)
     if not named:
         return []
-    head = [*said[named[0] : -2], replace(last, text=one, shown=one, start=-1)]
-    head = [replace(token, start=-1) for token in head]
+    head = [*said[named[0] : -2], structs.replace(last, text=one, shown=one, start=-1)]
+    head = [structs.replace(token, start=-1) for token in head]
     return [_word("replace"), _word("the"), *head, _word("with"), *said[begin:-1], *rest]
 
 

@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.abilities import with_abilities
@@ -198,8 +199,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     tokens = with_plain_sizes(lexicon, with_grids(_spelt_out(lexicon.tokens(text))))
     tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(tokens))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
-    tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
-    spelt = [replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
+    tokens = [structs.replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
+    spelt = [structs.replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_broken_off,
@@ -323,7 +324,7 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
             whole.append(Token("they", token.shown[:head], "word", start=token.start))
             whole.append(Token("would", token.shown[head:], "word", start=token.start + head))
         else:
-            whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
+            whole.append(structs.replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
 
 
@@ -359,7 +360,7 @@ def _slashed(tokens: list[Token]) -> Iterator[Token]:
         length = 3 if without else 2
         shown = "".join(token.shown for token in tokens[at : at + length])
         word = "without" if without else "with"
-        yield replace(tokens[at], text=word, shown=shown)
+        yield structs.replace(tokens[at], text=word, shown=shown)
         at += length
 
 

@@ -1,7 +1,8 @@
 """The "can" of "her old chair can stay", which is a verb and no can."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.tokens import Token
@@ -15,7 +16,7 @@ _CAN = "can"
 
 def with_abilities(tokens: Sequence[Token]) -> list[Token]:
     """The tokens, with "should" for a "can" that is a verb."""
-    return [replace(token, text="should") if _is_verb(tokens, at) else token for at, token in enumerate(tokens)]
+    return [structs.replace(token, text="should") if _is_verb(tokens, at) else token for at, token in enumerate(tokens)]
 
 
 def _is_verb(tokens: Sequence[Token], at: int) -> bool:

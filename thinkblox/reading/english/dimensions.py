@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from msgspec import structs
+
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.sizes import Length, Size, read_size
@@ -88,7 +90,7 @@ def with_plain_sizes(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
         skip = about.length if about is not None else int(tokens[at + 1].text in ("at", "up", "to"))
         if read_size(lexicon, made, at + 1 + skip) is None:
             continue
-        made[at - relative] = replace(tokens[at - relative], text="of", glued=False)
+        made[at - relative] = structs.replace(tokens[at - relative], text="of", glued=False)
         if relative:
-            made[at] = replace(token, text="about")
+            made[at] = structs.replace(token, text="about")
     return made

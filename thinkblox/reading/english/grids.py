@@ -1,7 +1,8 @@
 """Grids, which are so many rows of so many: "a 3x3 grid of cubes" is three rows of three cubes."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
@@ -30,7 +31,7 @@ def with_grids(tokens: Sequence[Token]) -> list[Token]:
         said = [rows, _word("rows"), _word("of"), columns]
         said += [_word(_EACH if of else _THERE)] * (end - start - len(said))
         made[start:end] = [
-            replace(new, shown=old.shown, start=old.start, glued=False)
+            structs.replace(new, shown=old.shown, start=old.start, glued=False)
             for new, old in zip(said, made[start:end], strict=True)
         ]
     return made

@@ -1,7 +1,8 @@
 """Turns of phrase that say the same as plainer words: "one per back corner", "a bit dark", "an overhead camera"."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.reading.english.grammar import grammar, is_count
 from thinkblox.reading.tokens import Token
@@ -54,7 +55,7 @@ def _everywhere(tokens: Sequence[Token]) -> Iterator[Token]:
     while at < len(tokens):
         said = tokens[at : at + len(_ANYWHERE)]
         if [token.text for token in said] == _ANYWHERE:
-            yield replace(tokens[at], text="everywhere", shown=" ".join(token.shown for token in said))
+            yield structs.replace(tokens[at], text="everywhere", shown=" ".join(token.shown for token in said))
             at += len(_ANYWHERE)
         else:
             yield tokens[at]
@@ -68,7 +69,7 @@ def _elided(tokens: Sequence[Token]) -> Iterator[Token]:
             continue
         after = tokens[at + 1] if at + 1 < len(tokens) else None
         led = token.text == "other" and after is not None and after.text == "one" and _is_counted(tokens, at + 2)
-        yield replace(token, shown=f"{token.shown} {after.shown}") if led and after is not None else token
+        yield structs.replace(token, shown=f"{token.shown} {after.shown}") if led and after is not None else token
 
 
 def _is_counted(tokens: Sequence[Token], at: int) -> bool:
@@ -86,9 +87,13 @@ def _corrected(tokens: Sequence[Token]) -> Iterator[Token]:
     while at < len(tokens):
         length = _is_enough(tokens, at)
         if length:
-            yield replace(tokens[at], text="make", shown="")
-            yield replace(tokens[at], text="that", shown="")
-        yield replace(tokens[at], shown=" ".join(t.shown for t in tokens[at : at + length])) if length else tokens[at]
+            yield structs.replace(tokens[at], text="make", shown="")
+            yield structs.replace(tokens[at], text="that", shown="")
+        yield (
+            structs.replace(tokens[at], shown=" ".join(t.shown for t in tokens[at : at + length]))
+            if length
+            else tokens[at]
+        )
         at += length or 1
 
 
@@ -101,8 +106,8 @@ def _rows(tokens: list[Token]) -> list[Token]:
         ends = (n for n in range(at + 2, min(at + _LONGEST, len(tokens))))
         each = next((n for n in ends if tokens[n].text == "each" or tokens[n].kind == "mark"), None)
         if each is not None and tokens[each].text == "each":
-            tokens[at] = replace(tokens[at], text="of")
-            tokens[each] = replace(tokens[each], text="too")
+            tokens[at] = structs.replace(tokens[at], text="of")
+            tokens[each] = structs.replace(tokens[each], text="too")
     return tokens
 
 
@@ -111,33 +116,35 @@ def _plain(tokens: Sequence[Token]) -> Iterator[Token]:
     while at < len(tokens):
         words = [token.text for token in tokens[at : at + 3]]
         if _is_grid(tokens, at):
-            yield from (tokens[at], tokens[at + 1], replace(tokens[at + 2], text="of"))
+            yield from (tokens[at], tokens[at + 1], structs.replace(tokens[at + 2], text="of"))
             shown = " ".join(token.shown for token in tokens[at + 3 : at + 6])
-            yield replace(tokens[at + 3], shown=shown)
+            yield structs.replace(tokens[at + 3], shown=shown)
             at += 6
             continue
         if words[0] == "per" and words[1:2] and words[1] in _ENDS and words[2:] == ["corner"]:
-            yield replace(tokens[at], text="in")
-            yield replace(tokens[at], text="each", shown="", start=tokens[at].start + len(tokens[at].shown))
+            yield structs.replace(tokens[at], text="in")
+            yield structs.replace(tokens[at], text="each", shown="", start=tokens[at].start + len(tokens[at].shown))
         elif words[0] == "," and (turned := _turned_ends(tokens, at + 1)):
             yield from (tokens[at], *turned)
             at += 1 + (tokens[at + 1].text in _OF_THEM)
         elif words[0] == "overhead" and words[1:] and words[1] in grammar().lists["overhead"]:
-            yield replace(tokens[at], text="hanging")
+            yield structs.replace(tokens[at], text="hanging")
         elif words[:2] == ["a", "bit"] and words[2:] and words[2] != "of" and tokens[at + 2].kind == "word":
-            yield replace(tokens[at], text="quite", shown=f"{tokens[at].shown} {tokens[at + 1].shown}")
+            yield structs.replace(tokens[at], text="quite", shown=f"{tokens[at].shown} {tokens[at + 1].shown}")
             at += 1
         elif words[:2] in (["grown", "ups"], ["grown", "up"]) and tokens[at].glued:
             adults = "adults" if words[1] == "ups" else "adult"
-            yield replace(tokens[at + 1], text=adults, shown=f"{tokens[at].shown}-{tokens[at + 1].shown}")
+            yield structs.replace(tokens[at + 1], text=adults, shown=f"{tokens[at].shown}-{tokens[at + 1].shown}")
             at += 1
         elif len(words) == len(_BY) and words[0] == words[2] and words[0].endswith("s") and words[1] in _AGAIN:
             of = bool(tokens[at + 3 : at + 4]) and tokens[at + 3].text == "of"
-            yield replace(tokens[at], text="really")
-            yield replace(tokens[at + 1], text="really" if of and grammar().at(tokens, at + 2, "vague") else "many")
+            yield structs.replace(tokens[at], text="really")
+            yield structs.replace(
+                tokens[at + 1], text="really" if of and grammar().at(tokens, at + 2, "vague") else "many"
+            )
             at += 1
         elif words[:1] == ["glasses"] and not drinks and [t.text for t in tokens[at - 2 : at]] in _PAIRS_OF:
-            yield replace(tokens[at], text="eyeglasses")
+            yield structs.replace(tokens[at], text="eyeglasses")
         else:
             yield tokens[at]
         at += 1
@@ -155,11 +162,11 @@ def _turned_ends(tokens: Sequence[Token], at: int) -> list[Token]:
     ends, toward = (*(t.text for t in tokens[at + owned : at + owned + 2]), "", "")[:2]
     if ends not in _TURNED or toward not in _TOWARD:
         return []
-    their = tokens[at] if owned else replace(tokens[at], text="their", shown="")
+    their = tokens[at] if owned else structs.replace(tokens[at], text="their", shown="")
     return [
-        replace(tokens[at], text="with", shown=""),
+        structs.replace(tokens[at], text="with", shown=""),
         their,
-        replace(tokens[at + owned], text="backs" if ends == "backs" else "head"),
+        structs.replace(tokens[at + owned], text="backs" if ends == "backs" else "head"),
     ]
 
 
@@ -168,7 +175,7 @@ def _hyphened(tokens: list[Token]) -> list[Token]:
     for at in range(len(tokens) - 2):
         fixed = tokens[at].text in _PARTS and tokens[at + 1].text in _FIXED and tokens[at + 2].kind == "word"
         if fixed and not grammar().at(tokens, at + 2, "prepositions", "determiners", "count", "vague"):
-            tokens[at] = replace(tokens[at], glued=True)
+            tokens[at] = structs.replace(tokens[at], glued=True)
     return tokens
 
 

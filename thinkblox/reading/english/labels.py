@@ -1,7 +1,8 @@
 """Things that are told apart by letters or numbers: "shelf A and shelf B", "bench 1" are the first and the second."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.grammar import grammar
@@ -36,7 +37,7 @@ def with_labels(tokens: Sequence[Token]) -> list[Token]:
         start -= int(start > 0 and made[start - 1].text == "the")
         made[start:] = [*_said(("the", _ORDINALS[label - 1]), made[start].start), *name]
         if made[-1].start < token.start <= made[-1].start + len(made[-1].shown) + 1:
-            made[-1] = replace(made[-1], shown=f"{made[-1].shown} {token.shown}")
+            made[-1] = structs.replace(made[-1], shown=f"{made[-1].shown} {token.shown}")
         if noun not in told:
             told.add(noun)
             sentence = next((n + 1 for n in range(start - 1, -1, -1) if made[n].text in _STOPS), 0)
@@ -53,7 +54,7 @@ def _apart(tokens: Sequence[Token]) -> list[Token]:
         several = token.text.endswith("s")
         one, joint, other = ([t.shown for t in tokens[at + 1 : at + 4]] + [""] * 3)[:3] if several else ("", "", "")
         if joint == "and" and one and other and one in _LETTERS and other in _LETTERS:
-            made.append(replace(token, text=singular(token.text)))
+            made.append(structs.replace(token, text=singular(token.text)))
         elif at > 2 and made[-1].text == "and" and token.shown in _LETTERS and tokens[at - 3].text.endswith("s"):
             made += [made[-3], token] if tokens[at - 2].shown in _LETTERS else [token]
         else:

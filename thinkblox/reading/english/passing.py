@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from msgspec import structs
+
 from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray, chunk_at
 from thinkblox.reading.english.grammar import grammar
@@ -27,7 +29,8 @@ _LEANING = ("leans", "lean", "leaning")
 def with_owners(tokens: Sequence[Token]) -> list[Token]:
     """The tokens, with "has" for what people own or collect."""
     return [
-        replace(token, text=_OWNING[token.text]) if _is_owning(tokens, at) else token for at, token in enumerate(tokens)
+        structs.replace(token, text=_OWNING[token.text]) if _is_owning(tokens, at) else token
+        for at, token in enumerate(tokens)
     ]
 
 

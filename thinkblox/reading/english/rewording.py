@@ -1,7 +1,8 @@
 """Words that are read as others: "the left third" is the left side, "the opposite end" the other end."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.english.grammar import grammar
@@ -49,7 +50,7 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
             read[at] = "daylight"
     parted = [words[at : at + 2] in _PARTED for at in range(len(words))]
     return [
-        replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
+        structs.replace(token, text=new, glued=token.glued and not apart) if new != token.text or apart else token
         for token, new, apart in zip(tokens, read, parted, strict=True)
     ]
 

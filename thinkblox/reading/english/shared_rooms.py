@@ -1,7 +1,8 @@
 """Rooms that are several at once: "living, kitchen and dining area", "a living/dining room"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec import structs
 
 from thinkblox.reading.tokens import Token
 
@@ -44,7 +45,7 @@ def with_parts(tokens: Sequence[Token]) -> list[Token]:
         words = _parts(uses, bare=bool(made) and made[-1].text == "a") if had else _whole(uses)
         made += [Token(word, word, "word", start=tokens[at].start) for word in words]
         if not had and end < len(tokens) and tokens[end].text == "with":
-            made.append(replace(tokens[end], text=",", kind="mark"))
+            made.append(structs.replace(tokens[end], text=",", kind="mark"))
             end += 1
         at = end
     return made
