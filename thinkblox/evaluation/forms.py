@@ -241,7 +241,7 @@ def _short(body: Body, ordinary: Ordinary) -> tuple[bool, str]:
 
 
 def _wide(body: Body, ordinary: Ordinary) -> tuple[bool, str]:
-    side, usual = (min, min(ordinary[:2])) if _is_bed(body, "bed") else (max, ordinary[1])
+    side, usual = (min, min(ordinary[:2])) if _is_bed(body, "") else (max, ordinary[1])
     wide = 2 * side(body.half)
     return wide >= 1.07 * usual, f"{wide:.2f} m wide, ordinarily {usual:.2f}"
 

@@ -70,12 +70,18 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
 def _stand_where_rugs_lie(members: Members) -> None:
     """What is asked to be on a rug that lies before a sofa stands before the sofa itself, where nobody says more.
 
-    So does in the middle what is on a rug that lies there.
+    So does in the middle what is on a rug that lies there; several on a rug of which no more is told keep together.
     """
     for rug in [member for member in members.all if member.flat]:
         before = [tie for tie in rug.ties if tie.asked and tie.kind in _BY_RUG and len(tie.anchors) == 1]
         on = [members.by_id.get(a) for tie in rug.ties if tie.asked and tie.kind == "under" for a in tie.anchors]
         amid = [tie for tie in rug.ties if tie.asked and tie.kind == "in_centre" and tie.anchors == ("centre",)]
+        free = [member for member in on if member is not None and member.mount == "floor" and not member.ties]
+        if free[1:] and not before and not amid:
+            in_corner = any(tie.kind == "in_corner" for tie in rug.ties)
+            free[0].ties += [Tie(kind="in_corner", anchors=("corner",), asked=False)] if in_corner else []
+            for member in free[1:]:
+                member.ties.append(Tie(kind="next_to", anchors=(free[0].id,), asked=False))
         for member in on:
             if member is not None and amid and member.mount == "floor" and not member.ties:
                 member.ties.append(Tie(kind="in_centre", anchors=("centre",), asked=False))

@@ -7,7 +7,7 @@ from thinkblox.scene.arrangement import Arrangement
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.companies import around, at_sides, between, in_rows, on_one, over_so_many
 from thinkblox.scene.landmarks import Landmark, corners, things
-from thinkblox.scene.pairs import Finding, Pair, denied_for, every, facing_each_other, pair_for
+from thinkblox.scene.pairs import FLAT, Finding, Pair, denied_for, every, facing_each_other, pair_for
 from thinkblox.verdict import RelationResult
 
 FACED = 2.0
@@ -88,7 +88,7 @@ def _all(
     pair = pair_for(kind, scene.room)
     if kind in ("at_long_side", "at_short_side"):
         return at_sides(members, anchors, long=kind == "at_long_side", pair=pair)
-    if kind == "far":
+    if kind == "far" or (kind == "under" and len(members) == 1 and members[0].top - members[0].base <= FLAT):
         return every([pair(member, anchor) for member in members for anchor in anchors if anchor.name != member.name])
     if kind == "facing" and anchors == members:
         pair = facing_each_other

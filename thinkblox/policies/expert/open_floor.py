@@ -30,6 +30,8 @@ FLOATING = 0.4
 """Cost of a seat with nothing behind it, where it could have a wall."""
 ACROSS_FLOOR = (2.6, 3.0, 2.2)
 """Free distance between a seat that stands free and what is to stand before a wall across from it [m]."""
+CLOSER = 0.08
+"""So much nearer is tried too where something comes between [m]."""
 USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
 """Free distance to what a thing looks at, the best first, unless its category says otherwise [m]."""
 
@@ -128,7 +130,11 @@ def _distances(situation: Situation, anchor: Placement) -> tuple[float, ...]:
         return TALKING
     usual = situation.facts.viewing or USUAL_VIEWING
     needed = room_between(situation, anchor.id)
-    return (needed, *usual) if needed else usual
+    if not needed and (below := next(iter(situation.placed((anchor.support,))), None)) is not None:
+        # Between a sofa and the stand of the television that it faces.
+        needed = room_between(situation, below.id)
+        needed = needed and round(needed + (below.size[0] - anchor.size[0]) / 2, 3)
+    return (needed, round(needed - CLOSER, 3)) if needed else usual
 
 
 def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:

@@ -88,9 +88,12 @@ def beside_each(situation: Situation) -> float:
 
 
 def room_between(situation: Situation, other: str) -> float:
-    """Free distance at which what was asked to come between the target and another stands next to both [m]; or 0."""
+    """Free distance at which what was asked to come between the target and another stands next to both [m]; or 0.
+
+    Where the other lies on something, that may be what it comes between.
+    """
     pair = {situation.target.id, other}
-    for later in situation.followers:
+    for later in situation.observation.plan.targets:
         asked = any(tie.kind == "between" and tie.asked and pair == set(tie.anchors) for tie in later.ties)
         if asked and _takes_floor(situation, later):
             return round(min(situation.kind(later).size[:2]) + 2 * ROOMY, 3)
