@@ -219,3 +219,26 @@ def test_a_thing_has_the_name_that_is_said(prompt: str, name: str) -> None:
 def test_four_bookshelves_are_called_so():
     (request,) = (r for r in read_brief("A library with four bookshelves.").requests if r.asked)
     assert request.called == "bookshelf"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things", "barred"),
+    [
+        (
+            "A living room with a sofa. I don't want a TV, a rug, or any plants in it.",
+            {"sofa": 1},
+            {"plant", "rug", "tv"},
+        ),
+        ("A kids room with a toy chest. No rug, they'd only spill on it.", {"toy_box": 1}, {"rug"}),
+    ],
+)
+def test_what_is_not_wanted_is_not_made(prompt: str, things: dict[str, int], barred: set[str]) -> None:
+    brief = read_brief(prompt)
+    assert asked(brief) == things
+    assert set(brief.excluded) == barred
+
+
+def test_the_one_table_that_differs_is_one_of_them():
+    brief = read_brief("A café with six tables. All tables have two chairs, except one table that has four chairs.")
+    assert sum(r.count for r in brief.requests if r.category == "dining_table") == 6
+    assert sum(r.count for r in brief.requests if r.category == "chair") == 14

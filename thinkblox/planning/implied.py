@@ -77,11 +77,12 @@ def _stand_where_rugs_lie(members: Members) -> None:
         on = [members.by_id.get(a) for tie in rug.ties if tie.asked and tie.kind == "under" for a in tie.anchors]
         amid = [tie for tie in rug.ties if tie.asked and tie.kind == "in_centre" and tie.anchors == ("centre",)]
         free = [member for member in on if member is not None and member.mount == "floor" and not member.ties]
-        if free[1:] and not before and not amid:
+        if free[1:] and not before:
             in_corner = any(tie.kind == "in_corner" for tie in rug.ties)
             free[0].ties += [Tie(kind="in_corner", anchors=("corner",), asked=False)] if in_corner else []
-            for member in free[1:]:
-                member.ties.append(Tie(kind="next_to", anchors=(free[0].id,), asked=False))
+            free[0].ties += [Tie(kind="in_centre", anchors=("centre",), asked=False)] if amid else []
+            for other in free[1:]:
+                other.ties.append(Tie(kind="next_to", anchors=(free[0].id,), asked=False))
         for member in on:
             if member is not None and amid and member.mount == "floor" and not member.ties:
                 member.ties.append(Tie(kind="in_centre", anchors=("centre",), asked=False))

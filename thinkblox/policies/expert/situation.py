@@ -232,7 +232,8 @@ class Situation:
                 side = max(self.kind(t).size[:2]) + 0.9
                 rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
         loose = [t for t in later if t.id in seated and not any(map(_is_amid, t.ties))]
-        if loose and not rows and not self._is_looked_across:
+        amid = any(map(_is_amid, self.target.ties))
+        if loose and not rows and not amid and not self._is_looked_across:
             rows.append(_in_the_middle(self.room, len(loose), self.kind(loose[0]).size))
         return Rects.of(rows)
 
