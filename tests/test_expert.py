@@ -644,3 +644,13 @@ def test_bean_bags_lie_on_the_rug_in_the_middle_of_the_room():
     done = room("A reading room, 4 m x 5 m. A round rug lies in the middle of the room with three beanbags on it.", 1)
     (rug,) = of(done, "rug")
     assert measure(done.scene, "under", rug.id, [p.id for p in of(done, "bean_bag")]).holds
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_a_bunk_of_a_night_train_leaves_its_window_and_its_door_free(seed):
+    prompt = (
+        "Sleeping compartment of a night train, 1.8 m x 2.3 m. A bunk bed against the wall, a table under the window."
+    )
+    done = room(prompt, seed)
+    assert done.report.valid
+    assert of(done, "bunk_bed")

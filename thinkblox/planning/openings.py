@@ -58,6 +58,7 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
         spared=_spared(brief, room) | _for_row(brief, room),
         corners={"door": max(_corner_distance(brief), _beside_doors(brief)), "window": _corner_distance(brief)},
         beside=_beside_windows(brief) or _beside_bunks(brief, room),
+        bunks=_beside_bunks(brief, room) > 0.0,
     )
     for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
@@ -244,6 +245,7 @@ class _Openings:
         spared: frozenset[int],
         corners: Mapping[str, float],
         beside: float,
+        bunks: bool,
     ) -> None:
         self.kind = kind
         self.room = room
@@ -251,6 +253,7 @@ class _Openings:
         self.spared = spared
         self.corners = corners
         self.beside = beside
+        self.bunks = bunks
         self.openings: list[Opening] = []
 
     def add(self, wanted: _Wanted) -> None:
@@ -270,9 +273,19 @@ class _Openings:
             return _walls_named(built, name)
         taken = {opening.wall for opening in self.openings}
         chance = self.rng.permutation(len(walls))
-        return sorted(
+        order = sorted(
             range(len(walls)), key=lambda i: (i in self.spared, i in taken, _dislike(kind, walls[i]), chance[i])
         )
+        if self.bunks:
+            order.sort(key=lambda i: self._with_bunks(kind, i))
+        return order
+
+    def _with_bunks(self, kind: str, index: int) -> tuple[bool, float]:
+        """A bunk takes a long wall, the door is in the other, and the window at the end of the room away from it."""
+        wall = self.room.walls[index]
+        is_short = wall.length < max(each.length for each in self.room.walls) - 0.05
+        apart = self._from_doors(index, wall.length / 2.0) if kind == "window" else 0.0
+        return is_short == (kind == "door"), -apart
 
     def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
         wall, kind = self.room.walls[index], wanted.kind
@@ -281,6 +294,8 @@ class _Openings:
         if self.kind.entrance is not None and not self.openings:
             door, high = self.kind.entrance.width, self.kind.entrance.height
         usual = door if kind == "door" else self._window_width(wall.length / wanted.count)
+        if kind == "window" and wanted.count == 1 and self.beside:
+            usual = min(usual, wall.length - self.beside - _CORNER)
         width = round(max(_LEAST_DOOR if kind == "door" else _LEAST_WINDOW, share * usual), 2)
         number = sum(opening.kind == kind for opening in self.openings) + 1
         offset = self._offset(wanted, index, width)
@@ -341,7 +356,9 @@ class _Openings:
             start, end = max(gaps, key=lambda gap: (gap[0] <= share <= gap[1], gap[1] - gap[0]))
             free = end - start - width
             middle = share if wanted.count > 1 else (start + end) / 2.0 + free * float(self.rng.choice(_SHIFTS))
-            if wanted.count == 1 and self.beside:
+            if wanted.count == 1 and self.beside and self._has_door(index - 1):
+                middle = min(middle, length - self.beside - width / 2.0)
+            elif wanted.count == 1 and self.beside:
                 middle = max(middle, self.beside + width / 2.0)
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         if self.kind.entered_at_end:
@@ -352,6 +369,9 @@ class _Openings:
         apart = {offset: self._from_doors(index, offset + width / 2) for offset in corners}
         best = max(corners, key=lambda offset: (apart[offset], offset == usual))
         return round(best, 3)
+
+    def _has_door(self, index: int) -> bool:
+        return any(o.kind == "door" and o.wall == index % len(self.room.walls) for o in self.openings)
 
     def _from_doors(self, index: int, along: float) -> float:
         """Distance of a point of a wall from the nearest door, as far as it matters for their swings [m]."""
