@@ -451,3 +451,9 @@ def test_what_stays_on_a_thing_goes_where_that_goes() -> None:
 def test_a_place_before_what_goes_along_is_refused_and_breaks_nothing() -> None:
     before = built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor"), ("chair_1", 1.7, 1.0, 180.0, "floor"))
     edit_room(before, "Move the desk to the middle of the room, with the chair behind it, facing the door.")
+
+
+@pytest.mark.parametrize("said", ["Add a plant and please no clock.", "Add a plant, but please no clock."])
+def test_what_is_not_wanted_is_not_added(said: str) -> None:
+    with pytest.raises(InputError, match="please no clock.* is no thing"):
+        edit_room(built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor")), said)
