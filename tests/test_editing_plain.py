@@ -455,5 +455,5 @@ def test_a_place_before_what_goes_along_is_refused_and_breaks_nothing() -> None:
 
 @pytest.mark.parametrize("said", ["Add a plant and please no clock.", "Add a plant, but please no clock."])
 def test_what_is_not_wanted_is_not_added(said: str) -> None:
-    with pytest.raises(InputError, match="please no clock.* is no thing"):
+    with pytest.raises(InputError, match="no clock"):
         edit_room(built(room(), ("desk_1", 1.0, 1.0, 0.0, "floor")), said)
