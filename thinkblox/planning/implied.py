@@ -80,7 +80,6 @@ def _stand_where_rugs_lie(members: Members) -> None:
         if free[1:] and not before:
             in_corner = any(tie.kind == "in_corner" for tie in rug.ties)
             free[0].ties += [Tie(kind="in_corner", anchors=("corner",), asked=False)] if in_corner else []
-            free[0].ties += [Tie(kind="in_centre", anchors=("centre",), asked=False)] if amid else []
             for other in free[1:]:
                 other.ties.append(Tie(kind="next_to", anchors=(free[0].id,), asked=False))
         for member in on:

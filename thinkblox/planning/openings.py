@@ -51,14 +51,15 @@ _VARIED, _ASIDE = 1.06, 0.15
 
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
+    bunk = _beside_bunks(brief, room)
     planner = _Openings(
         room,
         rng,
         kind=room_type(brief.room_type),
         spared=_spared(brief, room) | _for_row(brief, room),
         corners={"door": max(_corner_distance(brief), _beside_doors(brief)), "window": _corner_distance(brief)},
-        beside=_beside_windows(brief) or _beside_bunks(brief, room),
-        bunks=_beside_bunks(brief, room) > 0.0,
+        beside=_beside_windows(brief) or bunk,
+        bunks=bunk > 0.0,
     )
     for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
@@ -282,9 +283,8 @@ class _Openings:
 
     def _with_bunks(self, kind: str, index: int) -> tuple[bool, float]:
         """A bunk takes a long wall, the door is in the other, and the window at the end of the room away from it."""
-        wall = self.room.walls[index]
-        is_short = wall.length < max(each.length for each in self.room.walls) - 0.05
-        apart = self._from_doors(index, wall.length / 2.0) if kind == "window" else 0.0
+        is_short = index not in _by_length(self.room, "long_wall")
+        apart = self._from_doors(index, self.room.walls[index].length / 2.0) if kind == "window" else 0.0
         return is_short == (kind == "door"), -apart
 
     def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
