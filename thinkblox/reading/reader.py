@@ -43,6 +43,7 @@ from thinkblox.reading.room_looks import finish_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 from thinkblox.reading.stacks import raise_stacks
+from thinkblox.reading.uncollected import uncollected
 
 MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
@@ -84,13 +85,14 @@ def read_brief(prompt: str, *, fill: Fill = "essentials") -> Brief:
         raise InputError("the prompt is empty; describe a room, such as 'A bedroom, 4 m by 5 m, with a double bed.'")
     if len(prompt) > MAX_LENGTH:
         raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_LENGTH} are read")
-    lexicon = lexicon_of(prompt)
-    if lexicon.code == ENGLISH:
-        draft = read_english(lexicon, prompt)
-    else:
-        draft = Walker(list(Chunker(lexicon, lexicon.tokens(prompt)).items())).walk()
-    _finish(draft, fill)
-    return _brief(prompt, lexicon.code, draft)
+    with uncollected():
+        lexicon = lexicon_of(prompt)
+        if lexicon.code == ENGLISH:
+            draft = read_english(lexicon, prompt)
+        else:
+            draft = Walker(list(Chunker(lexicon, lexicon.tokens(prompt)).items())).walk()
+        _finish(draft, fill)
+        return _brief(prompt, lexicon.code, draft)
 
 
 def _finish(draft: Draft, fill: Fill) -> None:

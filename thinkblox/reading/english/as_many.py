@@ -30,7 +30,7 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif number and isinstance(noun, Noun):
             made.append(replace(noun, share=0.0, count=number, plural=number > 1))
             at += 2
-        elif isinstance(noun, Noun) and (number := _number_before(noun, chunks[at + 1 :], made)):
+        elif isinstance(noun, Noun) and noun.share and (number := _number_before(noun, chunks[at + 1 :], made)):
             made.append(replace(noun, share=0.0, count=number, plural=number > 1))
         elif noun is not None:
             made.append(_look_again(chunks, at, made) or noun)
@@ -40,7 +40,7 @@ def with_as_many(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _number_before(noun: Noun, after: Sequence[Chunk], made: Sequence[Chunk]) -> int:
     """How many "six plates and twice as many glasses" are; 0 where they are not joined to what they are told by."""
-    if noun.kind != "thing" or not noun.share or len(made) < len(_JOINED):
+    if noun.kind != "thing" or len(made) < len(_JOINED):
         return 0
     rest = takewhile(lambda chunk: not is_link(chunk, "mark", "stop", "semicolon"), after)
     if any(is_link(chunk, "prepositions", "as") for chunk in rest):

@@ -102,12 +102,9 @@ def _with_looks(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         said, link = chunks[at], chunk_at(chunks, at + 1)
-        kinds = _kinds(said) if isinstance(said, Noun) else None
-        lists = is_link(link, "mark", "colon") or (
-            is_link(link, "prepositions", "as", "with") and str(getattr(link, "text", "")).lower() in _LISTING
-        )
         looked = isinstance(said, Noun) and bool(said.attributes) and not said.det and said.count is None
-        end = _list_end(chunks, at + 2, kinds) if looked and lists and kinds is not None else 0
+        kinds = _kinds(said) if isinstance(said, Noun) and looked and _lists(link) else None
+        end = _list_end(chunks, at + 2, kinds) if kinds is not None else 0
         if end and isinstance(said, Noun):
             made += [_looking(chunk, said) if isinstance(chunk, Noun) else chunk for chunk in chunks[at + 2 : end]]
             at = end
@@ -118,6 +115,12 @@ def _with_looks(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 
 _LISTING = ("such as", "including", "like", "namely")
+
+
+def _lists(link: Chunk | None) -> bool:
+    """Whether what a word means is listed after it: "white furniture: a bed", "seating such as a sofa"."""
+    said = is_link(link, "prepositions", "as", "with") and str(getattr(link, "text", "")).lower() in _LISTING
+    return said or is_link(link, "mark", "colon")
 
 
 def _list_end(chunks: Sequence[Chunk], start: int, kinds: Collective) -> int:
@@ -146,16 +149,16 @@ def _looking(noun: Noun, said: Noun) -> Noun:
 
 def _kinds(noun: Noun) -> Collective | None:
     """What a noun can mean, where it is such a word."""
-    words = [singular(word) for word in noun.text.lower().split()]
-    return collective(" ".join(words[-2:])) or collective(" ".join(words[-1:]))
+    words = [singular(word) for word in noun.text.lower().split()[-2:]]
+    return collective(" ".join(words)) or collective(" ".join(words[-1:]))
 
 
 def _meant_by(noun: Noun, before: Sequence[Chunk]) -> list[int]:
     """The tokens at which what a noun means was named; empty where it is no such word, or fits nothing before it."""
-    kinds = _kinds(noun)
-    if kinds is None or noun.kind not in ("thing", "abstract") or noun.det not in _POINTING or noun.of_known:
+    if noun.kind not in ("thing", "abstract") or noun.det not in _POINTING or noun.of_known:
         return []
-    if noun.attributes or noun.side or noun.ordinal or noun.degree:
+    kinds = _kinds(noun)
+    if kinds is None or noun.attributes or noun.side or noun.ordinal or noun.degree:
         return []
     several = noun.det == "each" or noun.text.lower().endswith("s") or noun.word in _MASSES
     earlier = _sentences_before(before) if before and is_link(before[-1], "prepositions") else []

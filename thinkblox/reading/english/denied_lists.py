@@ -8,6 +8,7 @@ from thinkblox.reading.english.said import is_link
 
 _ARTICLES = ("", "a", "any")
 _LISTED = ("", "a", "any", "the", "no")
+_DENYING = ("exclude", "gone", "not")
 _CLAUSE = 4
 """So many chunks before a thing, at most, a verb that is denied stands."""
 
@@ -31,11 +32,12 @@ def _denied_one_by_one(chunks: Sequence[Chunk]) -> list[Chunk]:
     made: list[Chunk] = []
     at = 0
     while at < len(chunks):
-        colon = is_link(chunk_at(chunks, at + 1), "mark", "colon")
-        said = is_link(chunks[at], "negations", "exclude") or is_link(chunks[at], "prepositions", "without")
-        said |= colon and is_link(chunks[at], "negations", "gone", "not", "exclude")
+        without = is_link(chunks[at], "prepositions", "without")
+        denied = without or is_link(chunks[at], "negations", *_DENYING)
+        colon = denied and is_link(chunk_at(chunks, at + 1), "mark", "colon")
+        said = colon or without or (denied and is_link(chunks[at], "negations", "exclude"))
         listed, end = _listed(chunks, at + 1 + colon) if said else ([], at)
-        many = len(listed) > 1 and not is_link(chunks[at], "prepositions")
+        many = len(listed) > 1 and not without
         if not listed or not (colon or many):
             made.append(chunks[at])
             at += 1

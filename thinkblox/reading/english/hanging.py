@@ -17,6 +17,7 @@ _OUTLINE = 0.2
 _HUNG = ("wall", "ceiling")
 _ON_WALL = "rel:on_wall"
 """The condition of what a word means where it hangs on a wall."""
+_HANGING = ("verbs", "participles")
 
 
 def hang_up(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, list[Mention]]) -> None:
@@ -44,8 +45,7 @@ def can_hang(kind: Category) -> bool:
 def _hanging(chunks: Sequence[Chunk]) -> Iterator[tuple[Noun, Connector]]:
     """Of what it is said that it hangs: "a lantern hangs by the door", "left of the board hangs a lantern"."""
     for at, chunk in enumerate(chunks):
-        hangs = is_link(chunk, "verbs", "hang") or is_link(chunk, "participles", "hang")
-        if not isinstance(chunk, Connector) or not hangs or not at:
+        if not at or not isinstance(chunk, Connector) or chunk.value != "hang" or chunk.sort not in _HANGING:
             continue
         before, after = chunks[at - 1], chunk_at(chunks, at + 1)
         if is_link(before, "verbs", "be") and at > 1:

@@ -20,8 +20,8 @@ def with_lists_for_each(chunks: Sequence[Chunk]) -> list[Chunk]:
     while at < len(chunks):
         several = made[-1] if made else None
         many = isinstance(several, Noun) and several.kind == "thing" and several.many
-        close = _closed(chunks, at)
-        told = _told(chunks[at + 1 : close], several) if many and close and isinstance(several, Noun) else []
+        close = _closed(chunks, at) if many else 0
+        told = _told(chunks[at + 1 : close], several) if close and isinstance(several, Noun) else []
         if told:
             made += [chunks[at], _with(chunks[at]), *told]
             at = close

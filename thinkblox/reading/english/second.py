@@ -82,8 +82,8 @@ class SecondOpinion:
 
     def disagreements(self, chunks: Sequence[Chunk]) -> Iterator[Disagreement]:
         """Everything that can hardly be meant so."""
-        corrected = any(is_link(chunk, "corrections") or is_link(chunk, "negations", "remove") for chunk in chunks)
-        moved = any(is_link(chunk, "corrections", "move") for chunk in chunks)
+        orders = [chunk for chunk in chunks if is_link(chunk, "corrections") or is_link(chunk, "negations", "remove")]
+        corrected, moved = bool(orders), any(is_link(chunk, "corrections", "move") for chunk in orders)
         for said in statements(chunks):
             places = list(positions(said))
             for place in places:
