@@ -86,6 +86,7 @@ from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.seats_joined import with_seats_joined
+from thinkblox.reading.english.serial_commas import with_serial_commas
 from thinkblox.reading.english.several_anchors import with_several_anchors
 from thinkblox.reading.english.shared_out import with_shared_out
 from thinkblox.reading.english.shared_rooms import with_parts
@@ -203,6 +204,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     spelt = [structs.replace(token, shown=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
+        with_serial_commas,
         with_broken_off,
         with_this_named,
         with_short_names,

@@ -1,6 +1,6 @@
 """Chunks of an English text to a draft, clause by clause."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
 from thinkblox.assets.catalogue import CATALOGUE
@@ -9,12 +9,24 @@ from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.vocabulary import is_person
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
-from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
+from thinkblox.reading.english.chunks import (
+    Adjective,
+    Chunk,
+    Connector,
+    Measured,
+    Noun,
+    NounKind,
+    SaidSurface,
+    Stray,
+    chunk_at,
+)
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.named_again import join_named_again
 from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE, is_small
+from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.serial_commas import is_of_several
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.stacks import STACKED
 
@@ -484,6 +496,8 @@ class Clauses(Audit):
         fresh = not self.predicate and not self.existential
         if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
+        if self.separator == "comma_and" and self.predicate and self._begins_subjects():
+            return True
         index = self.at
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
@@ -505,6 +519,22 @@ class Clauses(Audit):
                 return False
             index += 1
         return False
+
+    def _begins_subjects(self) -> bool:
+        """Whether a list of new things with a verb of their own begins: ", and a book, a vase and a lamp are on it"."""
+        index, parts = self.at, 1
+        while index + 1 < len(self.chunks) and (after := _next_listed(self.chunks, index)):
+            index, parts = after, parts + 1
+        return parts > 1 and index < len(self.chunks) and is_of_several(self.chunks[index])
+
+
+def _next_listed(chunks: Sequence[Chunk], at: int) -> int:
+    """Where the next new thing of a list ends that a comma or "and" joins to what ends at `at`; 0 where none comes."""
+    begin = at + is_link(chunks[at], "mark", "comma")
+    begin += is_link(chunk_at(chunks, begin), "joins", "and")
+    noun = chunk_at(chunks, begin)
+    new = begin > at and isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite
+    return begin + 1 if new else 0
 
 
 def _is_mere_adverb(word: str) -> bool:
