@@ -86,7 +86,7 @@ from thinkblox.reading.english.room_sides import with_room_sides
 from thinkblox.reading.english.rooms_having import with_rooms_having
 from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.seats_joined import with_seats_joined
-from thinkblox.reading.english.serial_commas import with_serial_commas
+from thinkblox.reading.english.serial_commas import with_clause_commas, with_serial_commas
 from thinkblox.reading.english.several_anchors import with_several_anchors
 from thinkblox.reading.english.shared_out import with_shared_out
 from thinkblox.reading.english.shared_rooms import with_parts
@@ -205,6 +205,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     chunks, noted = cut(lexicon, spelt)
     for rewritten in (
         with_serial_commas,
+        with_clause_commas,
         with_broken_off,
         with_this_named,
         with_short_names,

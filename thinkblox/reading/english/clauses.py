@@ -26,7 +26,7 @@ from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE, is_small
 from thinkblox.reading.english.said import is_link
-from thinkblox.reading.english.serial_commas import is_of_several
+from thinkblox.reading.english.serial_commas import is_of_several, next_listed
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.stacks import STACKED
 
@@ -523,18 +523,9 @@ class Clauses(Audit):
     def _begins_subjects(self) -> bool:
         """Whether a list of new things with a verb of their own begins: ", and a book, a vase and a lamp are on it"."""
         index, parts = self.at, 1
-        while index + 1 < len(self.chunks) and (after := _next_listed(self.chunks, index)):
+        while index + 1 < len(self.chunks) and (after := next_listed(self.chunks, index)):
             index, parts = after, parts + 1
         return parts > 1 and index < len(self.chunks) and is_of_several(self.chunks[index])
-
-
-def _next_listed(chunks: Sequence[Chunk], at: int) -> int:
-    """Where the next new thing of a list ends that a comma or "and" joins to what ends at `at`; 0 where none comes."""
-    begin = at + is_link(chunks[at], "mark", "comma")
-    begin += is_link(chunk_at(chunks, begin), "joins", "and")
-    noun = chunk_at(chunks, begin)
-    new = begin > at and isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite
-    return begin + 1 if new else 0
 
 
 def _is_mere_adverb(word: str) -> bool:
