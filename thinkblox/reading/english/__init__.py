@@ -1,7 +1,7 @@
 """English, read with an open vocabulary: noun phrases, clauses, what they refer to, and what became of every word."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from msgspec import structs
 
@@ -178,6 +178,10 @@ _ARE = ("theyre", "youre")
 _SHARED = ("theyd", "theyll", "theyve")
 """What says after a thing whom it is for: "the wardrobe they'd share"."""
 
+_FIGURES = range(2, len(_TO_TEN))
+_BEFORE_FIGURES, _AFTER_FIGURES = ("the", "all", "these", "those", "other"), ("poster", "seater", "seat")
+"""Words before figures that stand for a number word, and after figures that are part of a name."""
+
 _BY_UNITS = ("mx", "cmx", "ftx")
 """Units with the "x" of "3mx4m"."""
 
@@ -305,10 +309,23 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     return draft
 
 
+def _in_words(tokens: Sequence[Token]) -> Iterator[Token]:
+    """The tokens with number words for the figures of "the 2", "all 3" and "a 4-poster", of which others are told."""
+    for at, token in enumerate(tokens):
+        before, after = tokens[at - 1].text if at else "", tokens[at + 1].text if at + 1 < len(tokens) else ""
+        named = token.glued and after in _AFTER_FIGURES
+        if token.kind == "number" and token.value in _FIGURES and (named or before in _BEFORE_FIGURES):
+            measured = after in ("by", "x") or after in grammar().lists["length_units"]
+            text = _TO_TEN[int(token.value)]
+            yield structs.replace(token, text=text, kind="word", value=0.0) if named or not measured else token
+        else:
+            yield token
+
+
 def _spelt_out(tokens: list[Token]) -> list[Token]:
     """Words that people shorten, as the lexicon has them; "it's", "they're" and "a kettle's on it" as two."""
     whole: list[Token] = []
-    slashed = [*_slashed(tokens)]
+    slashed = [*_slashed([*_in_words(tokens)])]
     for at, token in enumerate(slashed):
         after = slashed[at + 1 : at + 4]
         told = token.owner and (token.text in _JOINED or _says_where(after) or _says_how(token, after))

@@ -46,11 +46,12 @@ class Grammar:
         return int(next(said, 0))
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
-        """The longest phrase of one of these sorts that begins at `start`."""
+        """The longest phrase of one of these sorts that begins at `start`; figures are a count as number words are."""
         # No word of a prompt is asked for less than a dozen times, nearly always in vain.
         begun = self.begun.get(tokens[start].text) if start < len(tokens) else None
         if begun is None or begun.isdisjoint(sorts):
-            return None
+            figures = start < len(tokens) and tokens[start].kind == "number" and "count" in sorts
+            return Function("count", tokens[start].text, 1) if figures else None
         longest: Function | None = None
         key: tuple[str, ...] = ()
         for index in range(start, len(tokens)):

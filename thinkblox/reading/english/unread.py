@@ -81,7 +81,7 @@ def _height(words: list[str]) -> int:
     """Read "1.5 m above the floor"."""
     if not words or not words[0][:1].isdigit():
         return 0
-    for at in (2, 3):
+    for at in (2, 3) if _next_is(words, 1, "length_units") else ():
         if _next_is(words, at, "over_levels"):
             level = at + 2 if words[at + 1 : at + 2] == ["the"] else at + 1
             return level + 1 if _next_is(words, level, "levels") else 0
