@@ -144,7 +144,7 @@ _IMAGINED = re.compile(
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
-_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?= (?:against|to)\b)", re.IGNORECASE)
+_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?: (?:right )?up)?(?= (?:against|to)\b)", re.IGNORECASE)
 """How a thing stands, told of a part of it."""
 _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE

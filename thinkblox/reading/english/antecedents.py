@@ -18,7 +18,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.english.referents import Referents, is_small, last_word
 from thinkblox.reading.english.said import is_link
 from thinkblox.reading.english.survey import Occurrence, Survey, survey
 
@@ -58,6 +58,7 @@ class OpenReference:
 
 _OVER, _CARRIED = ("above", "under"), ("on", "on_top", "inside")
 """Relations of what is over or under another, and of what lies on it or in it."""
+_WITHIN = ("in", "inside")
 
 
 class Antecedents:
@@ -114,6 +115,8 @@ class Antecedents:
             )
             for c in self.ranked(where[0], kind, subjects, noun, one=one)
         ]
+        hollow = [c for c in ranked if last_word(c.thing) in grammar().lists["containers"]] if kind in _WITHIN else []
+        ranked = hollow if found in [c.thing for c in hollow] else ranked
         if found not in [c.thing for c in ranked]:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)

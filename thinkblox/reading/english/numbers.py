@@ -48,6 +48,8 @@ class Numbers(Verbs):
             return
         if self._shares_out(noun) or self._goes_back(noun) or self._are_people_at_each(noun):
             return
+        if self._are_all_parts(noun):
+            return
         whole = self._of_owners(noun) or self._one_left(noun, [])
         if whole is not None:
             aside = self._list_of(whole)
@@ -57,6 +59,17 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _are_all_parts(self, noun: Noun) -> bool:
+        """Speak of each of those that were told apart: "all seven have a lamp" after "four here and three there"."""
+        if noun.det != "all" or not noun.count or noun.of_known or noun.attributes or noun.unshown:
+            return False
+        family = self.referents.last_family()
+        if sum(self.referents.total(t) for t in family) != noun.count:
+            return False
+        self._resume(family, noun)
+        self.frontier[0].each = True
+        return True
 
     def _is_told_besides(self, noun: Noun) -> bool:
         """Whether it is no part of those that were named, but more of them, their look, or one of each kind."""

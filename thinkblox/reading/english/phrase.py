@@ -10,7 +10,9 @@ from thinkblox.reading.english.heads import ARTICLES, Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
-_HOLDING = ("holds", "has", "contains", "carries", "bears", "stores", "houses", "displays")
+_HOLDING = frozenset(
+    "holds has contains carries bears stores houses displays holding containing carrying bearing".split()
+)
 """What one of several does, of which more is told: "one | holds books"."""
 _CLEAR = ("empty", "clear", "free")
 """What the rest of a room is, rather than the rest of several things."""

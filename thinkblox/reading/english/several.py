@@ -150,6 +150,8 @@ class Several(Boundaries):
             return whole
         self.referents.settle(whole)
         count = self._how_many(noun, whole)
+        if noun.kind == "thing" and noun.of_known and count > self.referents.total(whole):
+            whole = next((t for t in parts if self.referents.total(t) >= count), whole)
         part = self.referents.part(whole, count)
         self.singled = whole if noun.text.lower() == "the one" and part is not whole else self.singled
         if noun.side:

@@ -442,7 +442,7 @@ class Ties(Relating):
             case "hold" | "carry" | "inside" | "on" if not lies_here and self._ends_held_list(thing, frame):
                 return "inside" if frame.kind == "inside" or (frame.kind != "on" and self._contains(head)) else "on"
             case "hold" if lies_here:
-                return "inside" if self._contains(head) else "on"
+                return "inside" if self._contains(head) or _goes_into_cup(thing, head) else "on"
             case "carry" if lies_here:
                 return "inside" if self._has_shelves(head) else "on"
             case "inside":
