@@ -152,14 +152,34 @@ def _ordered(members: Members) -> list[Member]:
     ready = [(ranks[id], id) for id, anchors in needs.items() if not anchors]
     heapq.heapify(ready)
     order: list[Member] = []
-    while ready:
+    while len(order) < len(members.all):
+        if not ready:
+            id = _set_free(members, needs, ranks)
+            heapq.heappush(ready, (ranks[id], id))
         _, id = heapq.heappop(ready)
+        del needs[id]
         order.append(members.by_id[id])
         for user in users[id]:
-            needs[user].discard(id)
-            if not needs[user]:
-                heapq.heappush(ready, (ranks[user], user))
+            if user in needs and needs[user]:
+                needs[user].discard(id)
+                if not needs[user]:
+                    heapq.heappush(ready, (ranks[user], user))
     return order
+
+
+def _set_free(members: Members, needs: dict[str, set[str]], ranks: dict[str, _Rank]) -> str:
+    """Let one of those that all wait for one another wait no more: its ties to the others are due when these stand."""
+
+    def asked(id: str) -> bool:
+        return any(tie.asked for tie in members.by_id[id].ties if not needs[id].isdisjoint(tie.anchors))
+
+    id = min(needs, key=lambda id: (asked(id), ranks[id]))
+    member = members.by_id[id]
+    for tie in [tie for tie in member.ties if not needs[id].isdisjoint(tie.anchors)]:
+        member.ties.remove(tie)
+        members.owe(member, tie)
+    needs[id] = set()
+    return id
 
 
 def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:

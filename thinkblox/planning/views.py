@@ -54,11 +54,11 @@ def seat_about(members: Members) -> None:
         if not 1 < len(about) <= _MOST_ABOUT:
             continue
         first = max(about, key=lambda seat: usual_size(seat, members)[1])
-        ties = [tie for tie in first.ties if tie.kind != "around"]
+        ties = [tie for tie in first.ties if table.id not in tie.anchors]
         if any(members.depends(table, seat) for seat in about):
             continue
         for tie in first.ties:
-            if tie.kind == "around":
+            if tie not in ties:
                 members.owe(first, tie)
         first.ties = ties or [Tie(kind="against_wall", anchors=("wall",), asked=False)]
         table.ties = [Tie(kind="in_front_of", anchors=(first.id,), asked=False)]

@@ -1,6 +1,7 @@
 """Where things are: prepositions with what they are to."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
 
@@ -37,6 +38,7 @@ _TOPS = ("tables", "desks", "counters", "worktops")
 """What has two ends at which things lie."""
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
+_UPON = ("on", "on_top", "in", "inside")
 
 
 class Positions(Subjects):
@@ -166,13 +168,34 @@ class Positions(Subjects):
         named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
         if not named and (anchors := self._hold_front()) is not None:
             named = [anchors]
+        carrier = self._carrier_before(2, named[0].things if named else []) if where.word in _UPON else None
         if named:
             self.referents.topics.append(named[0].things[-1])
             self.outer = named[0]
             self.frontier, self.clause, self.subject, self.predicate = [], Listed(), None, False
             self.front, self.separator = [], ""
         where.noun = Noun("pronoun", "it", self.at, self.at, "which")
+        if carrier is not None:
+            where.noun = replace(carrier, start=self.at, end=self.at, det="the", count=None, among=(carrier.start,))
         return where
+
+    def _carrier_before(self, back: int, heads: Sequence[Mention]) -> Noun | None:
+        """The table of "above the table, on which stand two candlesticks", where it is named right before.
+
+        What the clause is about is meant instead where that carries things, and a comma comes after the other.
+        """
+        comma = self._is_link(self._before(back), "mark", "comma")
+        before = self._before(back + comma)
+        things = self.meant.get(before.start, []) if isinstance(before, Noun) and before.kind == "thing" else []
+        if not isinstance(before, Noun) or len(things) != 1 or things[0].many:
+            return None
+        if things[0] not in heads and (not self._may_carry(things[0]) or (comma and any(map(self._may_carry, heads)))):
+            return None
+        return before
+
+    def _may_carry(self, thing: Mention) -> bool:
+        """Whether things usually lie on it or in it."""
+        return self._belongs(thing.noun, "surfaces") or self._has_shelves(thing)
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""

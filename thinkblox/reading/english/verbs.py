@@ -201,6 +201,10 @@ class Verbs(Prepositions):
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""
                 told = said.startswith(("on which", "which", "that")) and carrier is not None
+                if said.startswith("on which") and carrier is not None:
+                    nearer = self._carrier_before(1, self.frontier[-1].things)
+                    if nearer is not None and not self._may_carry(self.frontier[0].things[-1]):
+                        self.frontier = [Node(self.meant[nearer.start], self.clause)]
                 if told and carrier is not None and not self._belongs(carrier.noun, "small"):
                     self.separator = ""
                 self._open(kind)
