@@ -552,6 +552,7 @@ class Positions(Subjects):
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
+        where.noun = self._any_of_known(node, where.noun)
         likely = self._likely(node, elided=where.noun is None)
         hung = likely and self.habits.is_in(likely[0].noun, "wallpieces", "screens")
         if where.noun is None and where.word == "opposite" and not hung:
@@ -574,6 +575,15 @@ class Positions(Subjects):
         if not where.negated:
             self._give_each_its_anchor(node, where, meaning)
             self._go_on_from(node, where, meaning)
+
+    def _any_of_known(self, node: Node, noun: Noun | None) -> Noun | None:
+        """The tables that were named for "twelve chairs, every one at a table", where there are not as many."""
+        each = node.each or self.each
+        if noun is None or not each or noun.kind != "thing" or noun.det != "a" or noun.attributes or noun.unshown:
+            return noun
+        known = [t for t in self.referents.every(noun) if t not in node.things]
+        tables, seats = (sum(map(self.referents.total, things)) for things in (known, node.things))
+        return replace(noun, det="the", plural=True) if 1 < tables < seats else noun
 
     def _ask_all_the_same(self, where: Where) -> None:
         """Ask for what a relation that is not understood is to."""

@@ -170,7 +170,7 @@ class Relating(Naming):
     def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
         """Whether it was said to lie on these, or for each of these: it is in front of them then."""
         said = [b for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") and not b.implied]
-        carriers = [a for b in said for a in b.anchors]
+        carriers = [a for b in said for a in b.anchors if isinstance(a, Mention)]
         return any(a in carriers or (carriers and a in subject.per) for a in anchors)
 
     def _is_laid(self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...]) -> bool:

@@ -465,7 +465,8 @@ class Subjects(Having):
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
         middle = where.noun is not None and where.noun.value in ("middle", "centre")
-        if (len(frame.members) > _PAIR and middle) or not self._ends_list(node):
+        several = len(frame.members) > _PAIR or (is_small(thing) and any(m.many for m in frame.members))
+        if (several and middle) or not self._ends_list(node):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
