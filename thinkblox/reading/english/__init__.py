@@ -119,7 +119,8 @@ _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNOR
 """Half of a unit of length, which is a number."""
 _AND_HALF = re.compile(
     r"\b(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half"
-    r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)",
+    r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)|"
+    r"(?<=(?:es|rs|et|ft| m) by )(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half\b",
     re.IGNORECASE,
 )
 """So many and half of a unit of length."""
@@ -199,7 +200,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
-    text = _AND_HALF.sub(lambda match: _and_half(match[1].lower()).ljust(len(match[0])), text)
+    text = _AND_HALF.sub(lambda match: _and_half((match[1] or match[2]).lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = with_plain_sizes(lexicon, with_grids(_spelt_out(lexicon.tokens(text))))
     tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(tokens))))))

@@ -557,8 +557,14 @@ class Cutter:
             return None
         found = [function for function in found if not self._takes_bound(function)] or found
         found = [function for function in found if not self._takes_all(function)] or found
+        if found[0].value == "surround" and not self._after_noun() and self._is_placed_at(self.at + found[0].length):
+            return None  # "ring in the middle"
         longest = [function for function in found if function.length == found[0].length]
         return min(longest, key=lambda function: _LINKS.index(function.sort))
+
+    def _is_placed_at(self, at: int) -> bool:
+        """Whether a preposition comes that says where something is."""
+        return at < len(self.tokens) and grammar().at(self.tokens, at, "prepositions") is not None
 
     def _takes_bound(self, function: Function) -> bool:
         """Whether "with no" is cut from "with no more than one lamp", which excludes nothing."""

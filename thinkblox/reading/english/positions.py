@@ -72,6 +72,8 @@ class Positions(Subjects):
                 self._go_past(where.whole)
                 if where.whole.kind == "room" and not self.draft.room and not where.negated:
                     self._room(where.whole)
+                elif where.whole.kind == "room":
+                    self._note_size(where.whole)
         if link.value == "between":
             where.second = self._second(chunk)
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
@@ -473,12 +475,19 @@ class Positions(Subjects):
                 self.draft.room = ""
                 self._room(noun)
                 self._go_on_with_room()
+            else:
+                self._note_size(noun)
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)
             self.draft.excluded.add(noun.value)
             return True
         return False
+
+    def _note_size(self, room: Noun) -> None:
+        """Keep how large the room is where that is said in passing: "Testbed. A table in a 3 by 3 m room."."""
+        if room.size is not None and not self.draft.sizes and room.value in ("room", self.draft.room):
+            self.draft.sizes.append(room.size)
 
     def _is_setting(self, where: Where) -> bool:
         """Whether it says in which room all of it is: "in the clinic there is", "at a small cafe: four tables"."""
