@@ -117,6 +117,10 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 """Abbreviations whose points end no sentence."""
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
+_LABEL = re.compile(
+    r"^\s*(?:(?:room|scene|interior|layout) )?(?:description|prompt|request|brief|spec|specification): ", re.IGNORECASE
+)
+"""What a text is, said before it."""
 _AND_HALF = re.compile(
     r"\b(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half"
     r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)|"
@@ -140,7 +144,7 @@ _NEIGHBOUR = re.compile(
 )
 """What stands next to what was spoken of."""
 _IMAGINED = re.compile(
-    r"(?:^|(?<=[.!?\n] )|(?<=\bso )|(?<=\bnow )|(?<=\bjust )|(?<=\bplease )|(?<=, ))"
+    r"(?:^|(?<=[.!?\n] )|(?<=\n)|(?<=\bso )|(?<=\bnow )|(?<=\bjust )|(?<=\bplease )|(?<=, ))"
     r"(?:picture|envision|visuali[sz]e|conjure up|think of)(?= (?:an?|the|my|our|this)\b)",
     re.IGNORECASE,
 )
@@ -190,6 +194,7 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     written, text = text, _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    text = _LABEL.sub(lambda match: "\n".rjust(len(match[0])), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
     text = _WHOSE.sub(lambda match: f"with its {match[1]}".ljust(len(match[0])), text)

@@ -10,14 +10,14 @@ from typing import Any
 _OF_WHICH = re.compile(r"\b(?:to|on|at) (?:the|its) (left|right)(?: side| hand side)? of which\b", re.IGNORECASE)
 """At which side of what was named something is that comes."""
 _WANTED = re.compile(
-    r"(?:^|(?<=[.!?\n] ))(?:(?:i am|i'm|we are|we're|you|we) )?"
+    r"(?:^|(?<=[.!?\n] )|(?<=\n))(?:(?:i am|i'm|we are|we're|you|we) )?"
     r"(?:(?:looking|searching|hoping) for|in (?:need|search) of|thinking of|(?:how|what) about|welcome to|"
     r"(?:step|walk) into|(?:find|found|picture|imagine) (?:yourself|ourselves|myself) in|go for|opt for)"
     r"(?= (?:an?|the|my|our|this)\b)",
     re.IGNORECASE,
 )
 """What else begins to say what is wanted."""
-_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] ))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
+_PRESENT = re.compile(r"(?:^|(?<=[.!?\n] )|(?<=\n))present (?:in (?:the|this) room |here )?(is|are)\b", re.IGNORECASE)
 """There is what comes."""
 _INSIDE = re.compile(r"^inside,? (?=(?:is|are|there|you|we)\b)", re.IGNORECASE)
 """In the room, where nothing was named yet."""
@@ -37,7 +37,7 @@ _SHINING = re.compile(
     r"\b(lamps?|chandeliers?|lanterns?|pendants?) (lights?)(?= (?:up )?(?:the|an?|it|this)\b)", re.IGNORECASE
 )
 """What lamps do, and no name of one."""
-_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] ))next(?=,)", re.IGNORECASE)
+_NEXT = re.compile(r"(?:^|(?<=[.!?\n;] )|(?<=\n))next(?=,)", re.IGNORECASE)
 """What comes then."""
 _BOTH_SIDES = re.compile(r"\bflanked (?:on|at) (?:both|either|each) (?:sides?|ends?) (by|with)\b", re.IGNORECASE)
 _SO_THAT = re.compile(
