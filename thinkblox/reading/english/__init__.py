@@ -118,9 +118,17 @@ _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.
 _HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
 """Half of a unit of length, which is a number."""
 _LABEL = re.compile(
-    r"^\s*(?:(?:room|scene|interior|layout) )?(?:description|prompt|request|brief|spec|specification): ", re.IGNORECASE
+    r"^\s*(?:(?:(?:room|scene|interior|layout) )?(?:description|prompt|request|brief|spec|specification):|"
+    r"(?:(?:please|kindly|can you|could you|hi|hello)[,:]? )*"
+    r"(?:create|generate|design|make|build|furnish|lay out|set up|render|produce|model|arrange)(?: me| us)? "
+    r"(?:this|the following|such a|the described|the below)(?: (?:3d|indoor))? "
+    r"(?:room|scene|space|layout|interior|environment)(?:,? please| for me| for us)?[.!:?]|"
+    r"(?:i|we)(?:'d| would)? (?:like|want|need)(?: to have)? the following(?: room| scene| layout)?[.:]) ",
+    re.IGNORECASE,
 )
-"""What a text is, said before it."""
+"""What a text is, or that it is wanted, said before it."""
+_SPACES = re.compile(r"[ \t\u00a0]+(?=[ \t\u00a0,;.:!?)])|(?<=\n)[ \t\u00a0]+")
+_PLAIN = str.maketrans({"\u2019": "'", "\u2018": "'", "\u02bc": "'", "\u201c": '"', "\u201d": '"'})
 _AND_HALF = re.compile(
     r"\b(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half"
     r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)|"
@@ -149,7 +157,7 @@ _IMAGINED = re.compile(
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
-_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?: (?:right )?up)?(?= (?:against|to)\b)", re.IGNORECASE)
+_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?: (?:placed|positioned|situated|located|set|pushed))?(?: (?:right )?up)?(?= (?:against|to)\b)", re.IGNORECASE)
 """How a thing stands, told of a part of it."""
 _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
@@ -193,6 +201,8 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
+    text = _SPACES.sub("", text.translate(_PLAIN))
+    text = text.lower() if text.isupper() else text
     written, text = text, _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _LABEL.sub(lambda match: "\n".rjust(len(match[0])), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)

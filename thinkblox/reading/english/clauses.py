@@ -496,7 +496,7 @@ class Clauses(Audit):
         fresh = not self.predicate and not self.existential
         if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
-        if self.separator == "comma_and" and self.predicate and self._begins_subjects():
+        if self.separator == "comma_and" and not fresh and self._begins_subjects():
             return True
         index = self.at
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
@@ -509,7 +509,7 @@ class Clauses(Audit):
                     return False
                 if chunk.sort == "joins" and not isinstance(self.chunks[min(index + 1, len(self.chunks) - 1)], Noun):
                     return False
-                told = self.predicate or (self.separator == "comma_and" and (self.verb == "have" or bool(self.front)))
+                told = not fresh or (self.separator == "comma_and" and (self.verb == "have" or bool(self.front)))
                 having = ("stand", "hang", *(("hold", "carry", "inside") if told else ()))
                 if chunk.sort in ("inverses", "participles") and chunk.value not in having:
                     return False
