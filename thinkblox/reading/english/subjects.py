@@ -460,6 +460,8 @@ class Subjects(Having):
             return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
+        if where.whole is not None and self._is_of_member(where, frame):
+            return node
         if untied := self._untied_before(node, frame, where) or self._between_too(node, frame, where):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
