@@ -160,7 +160,7 @@ def _ordered(members: Members) -> list[Member]:
         del needs[id]
         order.append(members.by_id[id])
         for user in users[id]:
-            if user in needs and needs[user]:
+            if needs.get(user):
                 needs[user].discard(id)
                 if not needs[user]:
                     heapq.heappush(ready, (ranks[user], user))

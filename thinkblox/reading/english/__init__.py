@@ -157,7 +157,11 @@ _IMAGINED = re.compile(
     re.IGNORECASE,
 )
 """An order to imagine what comes."""
-_WHOSE = re.compile(r"\bwhose (head|headboard|back|front) (?:is|stands)(?: (?:placed|positioned|situated|located|set|pushed))?(?: (?:right )?up)?(?= (?:against|to)\b)", re.IGNORECASE)
+_WHOSE = re.compile(
+    r"\bwhose (head|headboard|back|front) (?:is|stands)"
+    r"(?: (?:placed|positioned|situated|located|set|pushed))?(?: (?:right )?up)?(?= (?:against|to)\b)",
+    re.IGNORECASE,
+)
 """How a thing stands, told of a part of it."""
 _FROM = re.compile(
     r"\b(in front|to the left|to the right|on top) from(?= (?:an?|the|its?|my|our|this)\b)", re.IGNORECASE
@@ -201,9 +205,8 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
-    text = _SPACES.sub("", text.translate(_PLAIN))
-    text = text.lower() if text.isupper() else text
-    written, text = text, _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    written, (text, places) = text, _evened(text)
+    text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _LABEL.sub(lambda match: "\n".rjust(len(match[0])), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _NEIGHBOUR.sub(lambda match: f"next to it {match[1]}".ljust(len(match[0])), text)
@@ -217,7 +220,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _AND_HALF.sub(lambda match: _and_half((match[1] or match[2]).lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
-    tokens = with_plain_sizes(lexicon, with_grids(_spelt_out(lexicon.tokens(text))))
+    tokens = [structs.replace(token, start=places[token.start]) for token in lexicon.tokens(text)]
+    tokens = with_plain_sizes(lexicon, with_grids(_spelt_out(tokens)))
     tokens = reworded(plainly(with_abilities(with_owners(with_parts(with_labels(tokens))))))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [structs.replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
@@ -323,6 +327,18 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     draft.written, draft.told = written, told
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
+
+
+def _evened(text: str) -> tuple[str, list[int]]:
+    """A text with plain apostrophes, without spaces that are too many, and in small letters where it has no others.
+
+    Also, of each of its characters, the place in the text as it was written.
+    """
+    plain = text.translate(_PLAIN)
+    plain = plain.lower() if plain.isupper() and len(plain.lower()) == len(plain) else plain
+    gone = {at for found in _SPACES.finditer(plain) for at in range(*found.span())}
+    places = [at for at in range(len(plain)) if at not in gone]
+    return "".join(plain[at] for at in places) if gone else plain, places
 
 
 def _in_words(tokens: Sequence[Token]) -> Iterator[Token]:

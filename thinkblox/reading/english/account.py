@@ -4,6 +4,8 @@ import re
 from collections.abc import Sequence
 from unicodedata import normalize
 
+from msgspec import structs
+
 from thinkblox.brief import Fate, Word
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.tokens import Token
@@ -90,8 +92,10 @@ def of_all_words(words: Sequence[Word], text: str, told: Sequence[str]) -> tuple
         text: as it was written.
         told: what of it was said not to be followed.
     """
-    lost = {at for said in told for found in re.finditer(_loosely(said), text) for at in range(*found.span())}
-    kept = [word for word in words if _is_written(word, text)]
+    lost = {
+        at for said in told for found in re.finditer(_loosely(said), text, re.IGNORECASE) for at in range(*found.span())
+    }
+    kept = [_as_written(word, text) for word in words if _is_written(word, text)]
     covered = {at for word in kept for at in range(word.start, word.start + len(word.text))}
     fates = {word.start: word.fate for word in words}
     left = (found for found in _WRITTEN.finditer(text) if covered.isdisjoint(range(*found.span())))
@@ -107,9 +111,20 @@ def of_all_words(words: Sequence[Word], text: str, told: Sequence[str]) -> tuple
 
 
 def _is_written(word: Word, text: str) -> bool:
-    """Whether a word stands in a text where it is said to, be it in other code points."""
-    forms = (normalize("NFKC", part) for part in (text[word.start : word.start + len(word.text)], word.text))
+    """Whether a word stands in a text where it is said to, be it in other code points or in capitals."""
+    forms = (normalize("NFKC", part).casefold() for part in (_written_at(word, text), word.text))
     return len(set(forms)) == 1
+
+
+def _as_written(word: Word, text: str) -> Word:
+    """A word that was read in small letters, in those that it stands in."""
+    there = _written_at(word, text)
+    read = word.text != there and word.text.casefold() == there.casefold()
+    return structs.replace(word, text=there) if read else word
+
+
+def _written_at(word: Word, text: str) -> str:
+    return text[word.start : word.start + len(word.text)]
 
 
 def _loosely(said: str) -> str:

@@ -1,6 +1,6 @@
 """Chunks of an English text to a draft, clause by clause."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 
 from thinkblox.assets.catalogue import CATALOGUE
@@ -11,21 +11,18 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import (
     Adjective,
-    Chunk,
     Connector,
     Measured,
     Noun,
     NounKind,
     SaidSurface,
     Stray,
-    chunk_at,
 )
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.named_again import join_named_again
 from thinkblox.reading.english.negation import is_denied_verb
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE, is_small
-from thinkblox.reading.english.said import is_link
 from thinkblox.reading.english.serial_commas import is_of_several, next_listed
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.stacks import STACKED
@@ -279,7 +276,7 @@ class Clauses(Audit):
                 noun = whole
         if self._is_said_of_subject(noun):
             return
-        if self.separator and (self._is_verb_left_out(noun) or self._is_new_clause(noun)):
+        if self.separator and (self._is_verb_left_out(noun) or self._begins_subjects() or self._is_new_clause(noun)):
             kept = self.separator
             topic = self.clause.members[:1] or (self.subject.things[:1] if self.subject else [])
             self.referents.topics += topic
@@ -496,8 +493,6 @@ class Clauses(Audit):
         fresh = not self.predicate and not self.existential
         if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
-        if self.separator == "comma_and" and not fresh and self._begins_subjects():
-            return True
         index = self.at
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
@@ -523,6 +518,8 @@ class Clauses(Audit):
     def _begins_subjects(self) -> bool:
         """Whether a list of new things with a verb of their own begins: ", and a book, a vase and a lamp are on it"."""
         index, parts = self.at, 1
+        if self.separator != "comma_and" or not (self.predicate or self.existential):
+            return False
         while index + 1 < len(self.chunks) and (after := next_listed(self.chunks, index)):
             index, parts = after, parts + 1
         return parts > 1 and index < len(self.chunks) and is_of_several(self.chunks[index])

@@ -46,9 +46,12 @@ class Numbers(Verbs):
         if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
             self.at += 2
             return
-        if self._shares_out(noun) or self._goes_back(noun) or self._are_people_at_each(noun):
-            return
-        if self._are_all_parts(noun):
+        if (
+            self._shares_out(noun)
+            or self._goes_back(noun)
+            or self._are_people_at_each(noun)
+            or self._are_all_parts(noun)
+        ):
             return
         whole = self._of_owners(noun) or self._one_left(noun, [])
         if whole is not None:

@@ -70,10 +70,7 @@ class Positions(Subjects):
             where.whole = self._next_noun(1)
             if where.whole is not None:
                 self._go_past(where.whole)
-                if where.whole.kind == "room" and not self.draft.room and not where.negated:
-                    self._room(where.whole)
-                elif where.whole.kind == "room":
-                    self._note_size(where.whole)
+                self._note_room(where.whole, negated=where.negated)
         if link.value == "between":
             where.second = self._second(chunk)
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
@@ -483,6 +480,13 @@ class Positions(Subjects):
             self.draft.excluded.add(noun.value)
             return True
         return False
+
+    def _note_room(self, whole: Noun, *, negated: bool) -> None:
+        """Keep what is told of the room in which something is."""
+        if whole.kind == "room" and not self.draft.room and not negated:
+            self._room(whole)
+        elif whole.kind == "room":
+            self._note_size(whole)
 
     def _note_size(self, room: Noun) -> None:
         """Keep how large the room is where that is said in passing: "Testbed. A table in a 3 by 3 m room."."""

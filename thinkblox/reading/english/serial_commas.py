@@ -66,7 +66,9 @@ def _begins_clause(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether things with a verb that agrees with them come, or a place with a verb and what is there."""
     if (end := _place_end(chunks, at)) > at:
         there = chunk_at(chunks, end + 1)
-        return is_link(chunk_at(chunks, end), "verbs", *_SAYING_WHERE) and isinstance(there, Noun) and not there.definite
+        return (
+            is_link(chunk_at(chunks, end), "verbs", *_SAYING_WHERE) and isinstance(there, Noun) and not there.definite
+        )
     noun = chunk_at(chunks, at)
     if not isinstance(noun, Noun) or noun.kind != "thing":
         return False

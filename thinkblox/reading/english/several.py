@@ -150,14 +150,20 @@ class Several(Boundaries):
             return whole
         self.referents.settle(whole)
         count = self._how_many(noun, whole)
-        if noun.kind == "thing" and noun.of_known and count > self.referents.total(whole):
-            whole = next((t for t in parts if self.referents.total(t) >= count), whole)
+        whole = self._large_enough(noun, whole, count)
         part = self.referents.part(whole, count)
         self.singled = whole if noun.text.lower() == "the one" and part is not whole else self.singled
         if noun.side:
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _large_enough(self, noun: Noun, whole: Mention, count: int) -> Mention:
+        """The four of "seven desks, four here and three there" that "four of the desks" can only mean."""
+        if noun.kind != "thing" or not noun.of_known or count <= self.referents.total(whole):
+            return whole
+        parts = self.referents.parts.get(whole, [])
+        return next((t for t in parts if self.referents.total(t) >= count), whole)
 
     def _parted_by_side(self, noun: Noun, whole: Mention | None, besides: Sequence[Mention]) -> Mention | None:
         """Which of several that were told apart by their sides "the left one" is."""

@@ -458,9 +458,8 @@ class Subjects(Having):
         together = self._under_raised(node, where) or self._named_with(node) or self._laid_with(node, where)
         if together:
             return Node(together, frame)
-        if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
-            return node
-        if where.whole is not None and self._is_of_member(where, frame):
+        of_member = frame is not None and where.whole is not None and self._is_of_member(where, frame)
+        if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1 or of_member:
             return node
         if untied := self._untied_before(node, frame, where) or self._between_too(node, frame, where):
             return Node([*untied, *node.things], frame)
