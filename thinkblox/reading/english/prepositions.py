@@ -411,6 +411,14 @@ class Prepositions(Negation):
         elif noun.kind == "people" and noun.count:
             self._people(noun)
 
+    def _is_for_room(self, noun: Noun) -> bool:
+        """Take the room of "for my bedroom I'd like a bed", "seven desks for an office", where none was told."""
+        if noun.kind != "room" or noun.value == "room" or noun.many or self.draft.room not in ("", "room"):
+            return False
+        self.draft.room = ""
+        self._room(noun)
+        return True
+
     def _for(self, link: Connector) -> None:
         noun = self._next_noun()
         if noun is None:
@@ -419,7 +427,7 @@ class Prepositions(Negation):
         thing = self.frontier[-1].thing if self.frontier else None
         awaited = [a for f in self.front[-1:] for a in f.anchors if isinstance(a, Mention)]
         thing = awaited[0] if awaited and not self.frontier else thing
-        if self._is_purpose(noun):
+        if self._is_purpose(noun) or self._is_for_room(noun):
             self._spend(noun)
             self._go_past(noun)
             return

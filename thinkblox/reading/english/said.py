@@ -122,7 +122,8 @@ def positions(said: Sequence[Chunk]) -> Iterator[SaidPosition]:
     while at < len(said):
         link = said[at]
         at += 1
-        if isinstance(link, Connector) and (is_spatial(link) or _leads_to_part(said, at - 1)):
+        led = at < len(said) and is_link(said[at], "joins", "which")
+        if isinstance(link, Connector) and not led and (is_spatial(link) or _leads_to_part(said, at - 1)):
             found = _position(said, at - 1, link)
             yield found
             at = found.end + 1
