@@ -46,6 +46,7 @@ from thinkblox.reading.english.grids import with_grids
 from thinkblox.reading.english.halves import with_halves
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
+from thinkblox.reading.english.in_room import with_room_meant
 from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
@@ -230,6 +231,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     for rewritten in (
         with_serial_commas,
         with_clause_commas,
+        with_room_meant,
         with_broken_off,
         with_this_named,
         with_short_names,

@@ -163,7 +163,9 @@ class Rooms(Memberships):
         if self.draft.room == "room" and not self.draft.things and (named or not noun.det):
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
-        sized = noun.size is not None or isinstance(self.peek(self._is_link(self.peek(), "prepositions", "of")), Measured)
+        sized = noun.size is not None or isinstance(
+            self.peek(self._is_link(self.peek(), "prepositions", "of")), Measured
+        )
         zone |= sized and not (noun.det or self.draft.sizes)  # "wedding reception, hall of 12 by 12 m"
         listed = (
             noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
