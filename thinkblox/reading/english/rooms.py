@@ -159,8 +159,8 @@ class Rooms(Memberships):
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
             return False
-        named = self._is_link(self._before(), "verbs", "be", "serve")
-        if self.draft.room == "room" and not self.draft.things and (named or not noun.det):
+        had = self._is_link(self._before(), "prepositions", "with") or self._is_link(self._before(), "verbs", "have")
+        if self.draft.room == "room" and not self.draft.things and not had:
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         sized = noun.size is not None or isinstance(

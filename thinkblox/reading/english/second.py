@@ -27,7 +27,7 @@ _MEANT: dict[str, tuple[RelationKind, ...]] = {
     "right_of": ("right_of",),
     "between": ("between", "next_to", "near"),
     "on": ("on", "inside", "in_centre", "under", "above", "at", "around", "next_to"),
-    "on_top": ("on", "inside", "in_centre"),
+    "on_top": ("on", "inside", "in_centre", "under"),
     "in": ("on", "inside", "in_centre", "at", "around", "between"),
     "opposite": ("opposite", "facing"),
     "facing": ("facing", "opposite", "in_front_of"),
