@@ -19,6 +19,7 @@ _REACH = 200
 """How many things back "the desk" can reach."""
 _MEMORY = 40
 """How many things back a pronoun can reach."""
+_SIDES = ("left_of", "right_of")
 _STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposite", "facing")
 """Relations of furniture that are to furniture rather than to what lies on it."""
 _AROUND = (*_STANDING, "near", "far", "above", "under", "")
@@ -213,13 +214,20 @@ class Referents:
                 (p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None
             )
             if pair and (kind == "between" or not thing.many):
-                return self._two_alike(pair, subject) if kind == "between" else pair
+                return self._two_alike(pair, subject) if kind == "between" else self._at_both_sides(*pair)
             if thing.many and not self._is_too_low(thing, subject, kind):
                 return (thing, *[p for p in self.parts.get(thing, ()) if p in self.draft.things])
         standing = [t for t in self._recent() if not is_small(t) and t not in subject]
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def _at_both_sides(self, subject: Mention, anchor: Mention) -> tuple[Mention, ...]:
+        """What is left and right of a thing, rather than one of them and it: "one to its left and one to its right"."""
+        beside = [b for b in self.draft.bonds if b.anchors == (anchor,) and b.kind in _SIDES and not b.negated]
+        kinds = {b.kind for b in beside if b.subject is subject}
+        others = [b.subject for b in beside if b.kind not in kinds and b.subject is not subject and not b.subject.many]
+        return (others[-1], subject) if kinds and others else (subject, anchor)
 
     def _two_alike(self, pair: tuple[Mention, Mention], besides: Sequence[Mention]) -> tuple[Mention, ...]:
         """The two sofas of "two sofas, one here and one there, both facing the fire, a rug between them"."""
