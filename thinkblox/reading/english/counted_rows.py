@@ -229,7 +229,8 @@ def _on_walls(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which what stands at several walls is counted: six racks at three walls, two "per wall"."""
     made = list(chunks)
     for at in range(len(made) - 1, 1, -1):
-        verb = at > _BOTH and is_link(made[at - 2], "verbs", "be", "stand", "hang")
+        stands = is_link(made[at - 2], "participles", "stand", "hang")
+        verb = at > _BOTH and (stands or is_link(made[at - 2], "verbs", "be", "stand", "hang"))
         first = at - 2 - verb
         things, walls = made[first], made[at]
         if not isinstance(things, Noun) or things.kind != "thing" or not isinstance(walls, Noun) or not _is_wall(walls):

@@ -177,12 +177,20 @@ class Meanings:
         if kind == "between":
             last = next((t for t in likely if t not in subjects), None)
             two = self._two_sides([last]) if last is not None else ()
+            two = two or self._across_from(last)
             two = two or ((last,) if last is not None and self.referents.total(last) == _SIDES else ())
             return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         if found is None or (kind == "outside" and not _HOLLOW & {*found.noun.split("_")}):
             return None
         return self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
+
+    def _across_from(self, last: Mention | None) -> tuple[Mention, ...]:
+        """The armchairs and the sofa of "two armchairs facing the sofa, and a table in between"."""
+        bonds = self.referents.draft.bonds_of(last) if last is not None else []
+        faced = [b.anchors[0] for b in bonds if b.kind in ("facing", "opposite") and len(b.anchors) == 1 and b.asked]
+        other = next((a for a in faced if isinstance(a, Mention) and a is not last and not is_small(a)), None)
+        return (last, other) if last is not None and other is not None else ()
 
     def _single(
         self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False
