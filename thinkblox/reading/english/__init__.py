@@ -110,6 +110,7 @@ from thinkblox.reading.english.towns import with_towns
 from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.two_places import with_two_places
 from thinkblox.reading.english.ways import with_ways
+from thinkblox.reading.english.where_told import with_lists_there, with_where_told
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -232,6 +233,8 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_serial_commas,
         with_clause_commas,
         with_room_meant,
+        with_where_told,
+        with_lists_there,
         with_broken_off,
         with_this_named,
         with_short_names,

@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import FURNITURE, is_small
@@ -35,7 +35,7 @@ class Boundaries(State):
                 self._separate("comma")
             case "close" if self.bracket is not None:
                 self._close_bracket()
-            case "comma" if self.held:
+            case "comma" if self.held and not self._lists_on():
                 self._release()
             case "comma" | "close" | "and":
                 self._separate("and" if link.value == "and" else "comma")
@@ -63,6 +63,17 @@ class Boundaries(State):
         """Whether a mark follows a noun that comes."""
         at = self.chunks.index(noun, self.at)
         return at + 1 >= len(self.chunks) or self._is_link(self.chunks[at + 1], "mark")
+
+    def _lists_on(self) -> bool:
+        """Whether more of what such a clause lists comes, with an "and": "on which a till, a bell and a vase stand"."""
+        at = self.at
+        while isinstance(noun := chunk_at(self.chunks, at), Noun) and noun.kind == "thing" and not noun.definite:
+            if self._is_link(chunk_at(self.chunks, at + 1), "joins", "and"):
+                return isinstance(chunk_at(self.chunks, at + 2), Noun)
+            if not self._is_link(chunk_at(self.chunks, at + 1), "mark", "comma"):
+                return False
+            at += 2
+        return False
 
     def _release(self) -> None:
         """Go on after a clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
