@@ -120,6 +120,9 @@ class Antecedents:
         if found not in [c.thing for c in ranked]:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
+        if kind == "above" and load_habits().is_in(best.thing.noun, "seats", "chairs"):
+            hung = next((c for c in others if load_habits().tie(noun, c.thing.noun) == "above"), None)
+            best, others = (hung, [c for c in ranked if c is not hung]) if hung is not None else (best, others)
         close = bool(others) and best.score - others[0].score < by["margin"]
         screen = load_habits().is_in(best.thing.noun, "screens")
         under = self._carrier(best, others) if (close or screen) and kind in ("", *_BESIDE) else None

@@ -321,6 +321,10 @@ class Prepositions(Negation):
         noun = self._next_noun()
         if noun is None:
             return
+        if noun.kind == "room" and noun.det in ("this", "my") and self._is_for_room(noun):
+            self._spend(noun)
+            self._go_past(noun)
+            return
         if not self.frontier and not self.clause.members and noun.kind == "thing":
             known, _ = self.anchors(noun, [])
             self.whole = known[0] if known else None

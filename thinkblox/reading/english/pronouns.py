@@ -47,9 +47,16 @@ class Pronouns(Numbers):
     def _it(self, noun: Noun) -> list[Mention]:
         """What "it" is: what was spoken of, unless that cannot be as is said of it."""
         found = self.referents.single(None, "", self._spoken_of())
+        if found is not None and self.habits.is_in(found.noun, "covers") and self._is_link(self.peek(1), "inverses"):
+            found = self._lain_under(found) or found
         if found is not None and (states := self._states_next()):
             found = self.antecedents.bearer(noun.start, states, found)
         return [found] if found is not None else []
+
+    def _lain_under(self, rug: Mention) -> Mention | None:
+        """The bed of "a rug lies beneath it, and it is flanked by two nightstands"."""
+        anchors = (a for b in self.draft.bonds_of(rug) if b.kind == "under" and not b.negated for a in b.anchors)
+        return next((a for a in anchors if isinstance(a, Mention)), None)
 
     def _states_next(self) -> list[str]:
         """The states of "(it) is switched on", "(it) has been neatly folded"."""

@@ -310,6 +310,9 @@ class Quantities(Words):
         if self.tokens[at].text != "of" or noun.of_known or at + 1 >= len(self.tokens):
             return 0
         after = self.tokens[at + 1].text
+        if noun.count == 1 and (number := self._number(at + 1)) is not None and self._starts_noun(at + 1 + number[1]):
+            noun.of_known, noun.total = number[0] > 1, number[0]  # "next to one of two bookcases"
+            return 1 + number[1] if noun.of_known else 0
         if after in ("the", "these", "those", "my", "our", "their", "his", "her", "its"):
             noun.of_known = True
             number = self._number(at + 2)
