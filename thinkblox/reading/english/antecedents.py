@@ -120,7 +120,8 @@ class Antecedents:
         if found not in [c.thing for c in ranked]:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
-        if kind == "above" and load_habits().is_in(best.thing.noun, "seats", "chairs"):
+        low = is_small(best.thing) or load_habits().is_in(best.thing.noun, "seats", "chairs")
+        if kind == "above" and low and load_habits().tie(noun, best.thing.noun) != "above":
             hung = next((c for c in others if load_habits().tie(noun, c.thing.noun) == "above"), None)
             best, others = (hung, [c for c in ranked if c is not hung]) if hung is not None else (best, others)
         close = bool(others) and best.score - others[0].score < by["margin"]

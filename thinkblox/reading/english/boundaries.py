@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun, chunk_at
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import FURNITURE, is_small
@@ -178,9 +178,19 @@ class Boundaries(State):
             case "stop":
                 self._end("stop")
             case "which":
-                named = next((n for n in reversed(self.frontier) if n.things), None)
+                named = self._told_before_which() or next((n for n in reversed(self.frontier) if n.things), None)
                 self.relative = self._denied_carrier(named) or named or self._hold_front()
                 self.separator = ""
+
+    def _told_before_which(self) -> Node | None:
+        """The bed of "to the left of a bed that stands against the wall", where it is to it that something stands."""
+        comma = self._is_link(self._before(), "mark", "comma")
+        noun, link, verb = self._before(1 + comma), self._before(2 + comma), self.peek()
+        told = self._is_link(verb, "verbs", "be", "stand", "face") and self._is_link(link, "prepositions")
+        if not told or self._is_link(link, "prepositions", "with", "of", "for", "as") or not isinstance(noun, Noun):
+            return None
+        things = self.meant.get(noun.start, []) if noun.kind == "thing" and noun.many != _is_singular(verb) else []
+        return Node(list(things), self.clause, known=True) if things else None
 
     def _denied_carrier(self, named: Node | None) -> Node | None:
         """The bookcase of "three books, none of them in the bookcase, which is against the wall"."""
@@ -315,3 +325,8 @@ class Boundaries(State):
     def _is_instead(self) -> bool:
         """Whether what is barred was to be replaced: "a rail instead of a wardrobe, a kettle"."""
         return self._is_link(self._before(2), "prepositions", "instead")
+
+
+def _is_singular(verb: Chunk | None) -> bool:
+    """Whether a verb is one of a single thing: "is", "stands"."""
+    return isinstance(verb, Connector) and verb.text.lower().removeprefix("that ").split()[0].endswith("s")

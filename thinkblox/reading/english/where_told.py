@@ -24,13 +24,10 @@ def with_where_told(chunks: Sequence[Chunk]) -> list[Chunk]:
         place = (made[-2] if comma and len(made) > 1 else None) if comma else last
         told = isinstance(chunk, Connector) and chunk.sort == "joins" and chunk.text.lower() == _WHERE
         thing = told and isinstance(place, Noun) and place.kind in ("thing", "place", "part")
-        first = chunk_at(chunks, at + 1)
-        if (
-            not isinstance(chunk, Connector)
-            or not thing
-            or not isinstance(first, Noun)
-            or not _is_placed(chunks, at + 1)
-        ):
+        there = _there(chunks, at + 1) if thing else 0
+        first = chunk_at(chunks, at + 1 + there)
+        placed = thing and (there or _is_placed(chunks, at + 1))
+        if not isinstance(chunk, Connector) or not placed or not isinstance(first, Noun):
             made.append(chunk)
         elif isinstance(place, Noun) and place.kind == "thing":
             made.append(Connector("prepositions", _word(place, first), chunk.start, chunk.start, _WHERE))
@@ -81,6 +78,14 @@ def _is_placed(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether new things come that a verb says to be there."""
     end, length = _list(chunks, at)
     return length > 0 and is_link(chunk_at(chunks, end), "verbs", "be", "stand", "hang")
+
+
+def _there(chunks: Sequence[Chunk], at: int) -> int:
+    """How many chunks "there is also" has before something new; 0 where that does not come."""
+    end = at + is_link(chunk_at(chunks, at), "verbs", "be")
+    while end > at and is_link(chunk_at(chunks, end), "fillers"):
+        end += 1
+    return end - at if end > at and _list(chunks, end)[1] else 0
 
 
 def _word(place: Noun, first: Noun) -> str:
