@@ -46,7 +46,7 @@ from thinkblox.reading.english.grids import with_grids
 from thinkblox.reading.english.halves import with_halves
 from thinkblox.reading.english.holders import with_holders
 from thinkblox.reading.english.idioms import plainly
-from thinkblox.reading.english.in_room import with_room_meant
+from thinkblox.reading.english.in_room import with_room_meant, with_rooms_parts
 from thinkblox.reading.english.kept_clear import with_kept_clear
 from thinkblox.reading.english.keyed import with_keyed
 from thinkblox.reading.english.labels import with_labels
@@ -232,6 +232,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     for rewritten in (
         with_serial_commas,
         with_clause_commas,
+        with_rooms_parts,
         with_room_meant,
         with_where_told,
         with_lists_there,

@@ -187,7 +187,11 @@ class Boundaries(State):
         comma = self._is_link(self._before(), "mark", "comma")
         noun, link, verb = self._before(1 + comma), self._before(2 + comma), self.peek()
         told = self._is_link(verb, "verbs", "be", "stand", "face") and self._is_link(link, "prepositions")
-        if not told or self._is_link(link, "prepositions", "with", "of", "for", "as") or not isinstance(noun, Noun):
+        part = self._before(3 + comma) if self._is_link(link, "prepositions", "of") else None
+        whole = isinstance(part, Noun) and part.kind == "part"
+        if not told or not isinstance(noun, Noun) or self._is_link(link, "prepositions", "with", "for", "as"):
+            return None
+        if self._is_link(link, "prepositions", "of") and not whole:
             return None
         things = self.meant.get(noun.start, []) if noun.kind == "thing" and noun.many != _is_singular(verb) else []
         return Node(list(things), self.clause, known=True) if things else None

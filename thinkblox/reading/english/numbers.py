@@ -51,7 +51,6 @@ class Numbers(Verbs):
             or self._goes_back(noun)
             or self._are_people_at_each(noun)
             or self._are_all_parts(noun)
-            or self._are_of_other_look(noun)
         ):
             return
         whole = self._of_owners(noun) or self._one_left(noun, [])
@@ -63,22 +62,6 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
-
-    def _are_of_other_look(self, noun: Noun) -> bool:
-        """Take "two wooden ones" for more of what was named last: "behind it is a chair, in front of it two wooden ones"."""
-        looks = bool(noun.attributes or noun.unshown) and noun.text.lower().endswith((" one", " ones"))
-        told = noun.of_known or noun.ordinal or noun.side or noun.det not in ("", "a")
-        if not looks or told or not self.front or self.clause.members:
-            return False
-        anchors = [a for front in self.front for a in front.anchors]
-        like = next((t for t in reversed(self.referents.spoken) if t in self.draft.things and t not in anchors), None)
-        if like is None or set(noun.attributes) <= set(like.attributes):
-            return False
-        more = self._copy_of(like)
-        more.count, more.plural = noun.count or 1, (noun.count or 1) > 1
-        more.attributes, more.unshown = [*noun.attributes], [*noun.unshown]
-        self._take(more, noun)
-        return True
 
     def _are_all_parts(self, noun: Noun) -> bool:
         """Speak of each of those that were told apart: "all seven have a lamp" after "four here and three there"."""

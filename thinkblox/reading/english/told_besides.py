@@ -34,7 +34,7 @@ def with_told_besides(chunks: Sequence[Chunk]) -> list[Chunk]:
         else:
             made.append(chunk)
             at += 1
-    return _with_each_apart(_with_each_before(_with_new_things(_with_ones_named(made))))
+    return _with_each_apart(_with_each_before(_with_new_things(_with_ones_named(_with_ones_there(made)))))
 
 
 def _told(chunks: Sequence[Chunk], at: int, thing: Noun) -> Noun | None:
@@ -75,6 +75,28 @@ def _called_so(chunks: Sequence[Chunk], at: int) -> Adjective | None:
         [*other.unshown, other.word],
         [*other.states],
     )
+
+
+def _with_ones_there(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with the chairs of "behind it is a leather chair, and in front of it are two wooden ones"."""
+    made = list(chunks)
+    there: Noun | None = None
+    for at in range(1, len(made)):
+        chunk = made[at]
+        if not isinstance(chunk, Noun) or not is_link(made[at - 1], "verbs", "be", "stand", "hang"):
+            continue
+        looks = bool(chunk.attributes or chunk.unshown) and chunk.text.lower().endswith((" one", " ones"))
+        plain = (
+            looks and chunk.kind == "number" and not (chunk.definite or chunk.of_known or chunk.ordinal or chunk.side)
+        )
+        if plain and there is not None:
+            text = f"{chunk.text.rpartition(' ')[0]} {there.word}"
+            made[at] = replace(
+                chunk, kind="thing", value=there.value, called=there.called, named=there.named, text=text
+            )
+        elif chunk.kind == "thing" and not chunk.definite:
+            there = chunk
+    return made
 
 
 def _with_ones_named(chunks: Sequence[Chunk]) -> list[Chunk]:
