@@ -54,10 +54,25 @@ class Descriptions(Rooms):
                 self.account.mark(said.start, said.end, "style")
             return
         looks = self._looks_of(said, denied=self.negating)
-        for thing in (self.subject or node).things if self.predicate else node.things:
+        told = self._named_right_before() or ((self.subject or node) if self.predicate else node).things
+        for thing in told:
             thing.attributes += looks
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
+
+    def _named_right_before(self) -> list[Mention]:
+        """What how it looks comes right after: "stands on a table made of oak", "faces an armchair in green"."""
+        at = self.at - 2
+        while at > 1 and (
+            isinstance(said := self.chunks[at], Adjective)
+            or self._is_link(said, "fillers")
+            or self._is_link(said, "prepositions", "of", "in")
+        ):
+            at -= 1
+        noun = self.chunks[at] if at > 1 else None
+        if not isinstance(noun, Noun) or noun.kind != "thing":
+            return []
+        return [t for t in self.meant.get(noun.start, ()) if t in self.draft.things]
 
     def _things_before(self) -> list[Mention]:
         """What was named before a colon or commas and other adjectives: "one sofa: blue, long"."""

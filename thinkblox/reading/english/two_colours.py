@@ -1,16 +1,17 @@
-"""Things of two colours, and colours told between commas: "a black and white rug", "a table, painted green, ..."."""
+"""Things of two colours, and looks told by a participle: "a black and white rug", "is painted green", "covered in felt"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.palette import COLOURS
-from thinkblox.reading.english.chunks import Adjective, Chunk, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.said import is_link
 
+_COVERED = ("covered in", "covered with", "covered by")
 
 def with_two_colours(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which "a black and white rug" is one noun of both colours, and "painted green" is no thing."""
+    """Chunks in which "a black and white rug" is one noun of both colours, and "painted green" only says how it looks."""
     made: list[Chunk] = []
     for chunk in chunks:
         first = made[-2] if len(made) > 1 and is_link(made[-1], "joins", "and") else None
@@ -19,8 +20,10 @@ def with_two_colours(chunks: Sequence[Chunk]) -> list[Chunk]:
             made[-2:] = [whole]
         elif isinstance(chunk, Adjective) and chunk.attributes and made and _is_finish(made[-1]):
             made[-1] = replace(chunk, start=made[-1].start)
-        elif isinstance(chunk, Noun) and (colour := _painted(chunk)) and made and is_link(made[-1], "mark", "comma"):
+        elif isinstance(chunk, Noun) and (colour := _painted(chunk)) and made and _may_tell(made[-1]):
             made.append(Adjective(chunk.start, chunk.end, chunk.text, [colour]))
+        elif isinstance(chunk, Adjective) and chunk.attributes and made and _is_cover(made[-1]):
+            made[-1] = replace(chunk, start=made[-1].start)
         else:
             made.append(chunk)
     return made
@@ -50,6 +53,15 @@ def _both(first: Chunk, noun: Noun) -> Noun | None:
 
 def _is_finish(chunk: Chunk) -> bool:
     return isinstance(chunk, Stray) and chunk.text.lower() in grammar().lists["finished"]
+
+
+def _may_tell(chunk: Chunk) -> bool:
+    """Whether what comes after it may say how something looks: "is painted green", ", painted green"."""
+    return is_link(chunk, "mark", "comma") or is_link(chunk, "verbs", "be")
+
+
+def _is_cover(chunk: Chunk) -> bool:
+    return isinstance(chunk, Connector) and chunk.sort == "inverses" and chunk.text.lower() in _COVERED
 
 
 def _painted(noun: Noun) -> str:
