@@ -101,8 +101,10 @@ class Pronouns(Numbers):
         """What "they" are: several, or else the single things that "and" joined: "A sofa and a lamp. They are ..."."""
         found = list(self.referents.several([], ""))
         joined = self.clause.last_joined() or self.referents.joined
-        lone = len(found) == 1 and not found[0].many
-        return list(joined) if lone and joined else found
+        if len(found) == 1 and not found[0].many and joined:
+            return list(joined)
+        several = [thing for thing in found if thing.many]
+        return several if len(several) == 1 and not set(several) & set(joined) else found
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""

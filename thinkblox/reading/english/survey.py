@@ -83,6 +83,7 @@ class _Surveyor:
         self._head: Noun | None = None
         self._last: Noun | None = None
         self._outer: Noun | None = None
+        self._relative: Noun | None = None
         self._each: Noun | None = None
         self._owners: list[Noun] = []
         self._role: Role = "head"
@@ -115,6 +116,7 @@ class _Surveyor:
                 self._end_part(link)
             case "joins", "which":
                 self._outer = self._head
+                self._relative = self._last if self._follows_anchor() else None
             case "inverses", value:
                 self._have(link)
                 self._parts = value in _PARTING
@@ -133,7 +135,7 @@ class _Surveyor:
     def _end_sentence(self) -> None:
         self.seen.last = self.seen.part
         self.seen.sentence, self.seen.part = self.seen.sentence + 1, 0
-        self._head = self._last = None
+        self._head = self._last = self._relative = None
         self._owners, self._role = [], "head"
         self._here = self._after_told = self.seen.verb = False
 
@@ -155,10 +157,14 @@ class _Surveyor:
     def _have(self, link: Connector) -> None:
         """Tell what the list that begins is of: what was named last, or what the sentence says is by a known thing."""
         self._role, self._told, self.seen.having = "member", False, link.start
-        known = self._anchored and self._last is not None and self._last.definite
+        last = self._last if self._anchored else None
+        named = [n.noun for n in self.seen.named if last is not None and n.noun.value == last.value]
+        known = last is not None and last.definite and len(named) > 1
         apart = link.value == "with" and is_link(self._before, "mark", "comma")
         outer = link.sort == "verbs" or known or apart
         owners = [self._head, self._last] if outer else [self._last, self._head]
+        if self._relative is not None and link.sort == "verbs":
+            owners = [self._relative, self._head]
         if self._head is not None and self._head.start in self.seen.loose and is_link(self._before, "mark", "comma"):
             owners = []
         if self._each is not None:
@@ -166,6 +172,12 @@ class _Surveyor:
             self.seen.spread.add(self._each.start)
         self._owners = [noun for noun in owners if noun is not None]
         self._each = None
+
+    def _follows_anchor(self) -> bool:
+        """Whether what something is at was named just before, with a comma or without."""
+        before = self._beside if is_link(self._before, "mark", "comma") else self._before
+        named = self.seen.named[-1] if self.seen.named else None
+        return named is not None and before is named.noun and named.role == "anchor"
 
     def _noun(self, noun: Noun) -> None:
         self._parted = self._role == "anchor" and noun.kind in ("part", "place")
@@ -204,6 +216,7 @@ class _Surveyor:
         )
         if self._role == "head":
             self._head = self._head if listed else noun
+            self._relative = self._relative if listed else None
             seen.topics.setdefault(seen.sentence, noun)
             seen.loose |= {noun.start} if loose else set()
         self._last = noun
