@@ -118,7 +118,8 @@ class Antecedents:
         hollow = [c for c in ranked if last_word(c.thing) in grammar().lists["containers"]] if kind in _WITHIN else []
         ranked = hollow if found in [c.thing for c in hollow] else ranked
         if found not in [c.thing for c in ranked]:
-            return found
+            another = kind in _SIDES and ranked and any(s.noun == found.noun for s in subjects)
+            return max(ranked, key=lambda candidate: candidate.score).thing if another else found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
         low = is_small(best.thing) or load_habits().is_in(best.thing.noun, "seats", "chairs")
         if kind == "above" and low and load_habits().tie(noun, best.thing.noun) != "above":

@@ -10,6 +10,8 @@ from thinkblox.reading.english.heads import ARTICLES, Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
+_BESIDE = ("left of", "right of")
+"""What a number can be followed by that stands for things: "one left of the bed"."""
 _HOLDING = frozenset(
     "holds has contains carries bears stores houses displays holding containing carrying bearing".split()
 )
@@ -197,6 +199,9 @@ class PhraseReader(Heads):
     def _part(self, noun: Noun, at: int, *, after_preposition: bool) -> bool:
         part = self._longest_part(at)
         if part is None or not (noun.det or noun.count is not None or after_preposition or noun.ordinal):
+            return False
+        bare = noun.count is not None and not noun.det and not noun.ordinal
+        if bare and self._text(at, at + 2) in _BESIDE:
             return False
         place = self._known(at, "place")
         after = at + part.length

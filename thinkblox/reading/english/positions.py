@@ -690,6 +690,8 @@ class Positions(Subjects):
         for chunk in reversed(self.chunks[max(0, self._began - _FRONTS) : self._began]):
             if self._is_link(chunk, "mark"):
                 break
+            if isinstance(chunk, Noun) and chunk.kind in ("pronoun", "number") and chunk.count and not said:
+                return False  # "one" is of them: "one to the left of the desk and one to the right of it".
             if isinstance(chunk, Noun):
                 said += self.meant.get(chunk.start, [])
         owners = [o for t in said for o in (t.owner, t.host) if o is not None]
