@@ -124,7 +124,7 @@ class Antecedents:
         low = is_small(best.thing) or load_habits().is_in(best.thing.noun, "seats", "chairs")
         if kind == "above" and low and load_habits().tie(noun, best.thing.noun) != "above":
             hung = next((c for c in others if load_habits().tie(noun, c.thing.noun) == "above"), None)
-            best, others = (hung, [c for c in ranked if c is not hung]) if hung is not None else (best, others)
+            best, others = (hung, []) if hung is not None else (best, others)
         close = bool(others) and best.score - others[0].score < by["margin"]
         screen = load_habits().is_in(best.thing.noun, "screens")
         under = self._carrier(best, others) if (close or screen) and kind in ("", *_BESIDE) else None
@@ -200,6 +200,7 @@ class Antecedents:
                 if id(thing) in besides or id(thing) not in kept or (one and self._is_one_of_two(thing)):
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
+                score += weights()["alike"] * (kind in _SIDES and any(s.noun == thing.noun for s in subjects))
                 several = not self._is_one(thing, named, last, seen)
                 if one and several:
                     score += weights()["several"] + self._place(kind, named, None, seen)
