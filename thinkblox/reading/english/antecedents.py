@@ -28,6 +28,8 @@ _BESIDE = ("next_to", "left_of", "right_of", "in_front_of", "behind", "near")
 """Relations that nothing has to what it lies on."""
 _SIDES = ("left_of", "right_of", "in_front_of", "behind", "above", "under")
 """Relations of which two are told of one thing in a row: "the fridge is left of the stove, the sink right of it"."""
+_TURNED = ("left_of", "right_of", "in_front_of", "behind")
+"""Relations that one thing seldom has to another of its kind."""
 _FAINT = 0.25
 """How much of a part of a sentence counts once another sentence has begun."""
 _SOFT = ("beds", "lounges", "seats", "chairs")
@@ -118,7 +120,7 @@ class Antecedents:
         hollow = [c for c in ranked if last_word(c.thing) in grammar().lists["containers"]] if kind in _WITHIN else []
         ranked = hollow if found in [c.thing for c in hollow] else ranked
         if found not in [c.thing for c in ranked]:
-            another = kind in _SIDES and ranked and any(s.noun == found.noun for s in subjects)
+            another = kind in _TURNED and ranked and any(s.noun == found.noun for s in subjects)
             return max(ranked, key=lambda candidate: candidate.score).thing if another else found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
         low = is_small(best.thing) or load_habits().is_in(best.thing.noun, "seats", "chairs")
@@ -200,7 +202,9 @@ class Antecedents:
                 if id(thing) in besides or id(thing) not in kept or (one and self._is_one_of_two(thing)):
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
-                score += weights()["alike"] * (kind in _SIDES and any(s.noun == thing.noun for s in subjects))
+                score += weights()["alike"] * (
+                    kind in (*_TURNED, "") and thing.noun in (noun, *(s.noun for s in subjects))
+                )
                 several = not self._is_one(thing, named, last, seen)
                 if one and several:
                     score += weights()["several"] + self._place(kind, named, None, seen)

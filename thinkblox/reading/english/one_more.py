@@ -1,19 +1,29 @@
 """One more of what was named singly: "one lamp is on the desk and one is on the floor", "a second one hangs there"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _ANOTHER = "another"
+_ONE_MORE = ("another", "another one", "a second one", "a second", "a matching one")
 _FIRST = 1
 
 
 def with_one_more(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which "one" and "a second one" are another of the single thing that was named."""
+    """Chunks in which "one" and "a second one" are another of the single thing that was named.
+
+    Where its place comes first, as that of the other did, it is called by its name: "left of the bed is a nightstand,
+    and right of it is another".
+    """
     made: list[Chunk] = []
     single: Noun | None = None
     for at, chunk in enumerate(chunks):
+        if isinstance(chunk, Noun) and chunk.text.lower() in _ONE_MORE and (first := _placed_first(chunks, at)):
+            named = f"{_ANOTHER} {first.called}"
+            made.append(replace(first, start=chunk.start, end=chunk.end, det=_ANOTHER, count=1, text=named, fates={}))
+            continue
         verb = chunk_at(chunks, at + 1)
         if isinstance(chunk, Noun) and single is not None and _is_more(chunk, single) and _is_placing(verb):
             made.append(Noun("pronoun", "other", chunk.start, chunk.end, _ANOTHER))
@@ -22,6 +32,30 @@ def with_one_more(chunks: Sequence[Chunk]) -> list[Chunk]:
             single = _single(chunk, chunks[:at], single)
         made.append(chunk)
     return made
+
+
+def _placed_first(chunks: Sequence[Chunk], at: int) -> Noun | None:
+    """The single thing named after its place, if the place of another comes first as well."""
+    if not _comes_last(chunks, at):
+        return None
+    for before in range(at - 1, 0, -1):
+        thing = chunks[before]
+        if isinstance(thing, Noun) and thing.kind == "thing" and _comes_last(chunks, before):
+            return thing if not (thing.many or thing.definite) else None
+        if is_link(thing, "mark", "stop") and not is_link(chunks[at - 1], "verbs"):
+            return None
+    return None
+
+
+def _comes_last(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether a part of a sentence ends there that began with a place: "and to the right of it is another"."""
+    begun = at
+    while begun and not is_link(chunks[begun - 1], "mark") and not is_link(chunks[begun - 1], "joins"):
+        begun -= 1
+    ends = at + 1 == len(chunks) or is_link(chunks[at + 1], "mark") or is_link(chunks[at + 1], "joins", "and")
+    verbs = [n for n in range(begun, at) if is_link(chunks[n], "verbs")]
+    placed = not verbs or (verbs == [at - 1] and is_link(chunks[at - 1], "verbs", "be", "stand", "hang"))
+    return ends and placed and begun + 1 < at and is_link(chunks[begun], "prepositions")
 
 
 def _single(noun: Noun, before: Sequence[Chunk], single: Noun | None) -> Noun | None:

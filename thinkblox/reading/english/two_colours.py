@@ -10,6 +10,7 @@ from thinkblox.reading.english.said import is_link
 
 _COVERED = ("covered in", "covered with", "covered by")
 
+
 def with_two_colours(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which "a black and white rug" is one noun of both colours, and "painted green" only says how it looks."""
     made: list[Chunk] = []
