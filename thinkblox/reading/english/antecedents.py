@@ -104,6 +104,10 @@ class Antecedents:
         several = found.many or self._referents.total(found) > 1
         if one and several and subjects and all(s.owner is found for s in subjects):
             return found  # What each of several has is on, under or beside that one.
+        if kind in _CARRIED and self._is_hung(where[0]):
+            hooks = [c for c in self.ranked(where[0], kind, subjects, noun, one=one) if _takes_hung(c.thing)]
+            if hooks:
+                return hooks[0].thing
         by = weights()
         large = not load_habits().is_in(noun, "small")
         apart = one and (kind in _OVER or (large and kind not in _CARRIED))
@@ -138,6 +142,13 @@ class Antecedents:
         if not self._is_owner(best.thing, where[0]):
             self.pointed[where[0]] = best.thing
         return best.thing
+
+    def _is_hung(self, start: int) -> bool:
+        """Whether the words before token `start` say that something hangs there."""
+        at = bisect_left(self._starts, start) - 1
+        return at >= 0 and (
+            is_link(self._chunks[at], "verbs", "hang") or is_link(self._chunks[at], "participles", "hang")
+        )
 
     def _pointed_before(self, start: int) -> Mention | None:
         """What the last pronoun before token `start` meant, if it stands in the same sentence."""
@@ -196,15 +207,14 @@ class Antecedents:
         if kind == "opposite":
             besides |= {id(t) for t in self._draft.things[-_WINDOW:] if t.owner is not None and t.owner in subjects}
         kept = set(map(id, self._draft.things[-_WINDOW:]))
+        alike = {noun, *(s.noun for s in subjects)} if kind in (*_TURNED, "") else set()
         scores: dict[int, Antecedent] = {}
         for named in seen.named:
             for thing in self._meant.get(named.noun.start, ()):
                 if id(thing) in besides or id(thing) not in kept or (one and self._is_one_of_two(thing)):
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
-                score += weights()["alike"] * (
-                    kind in (*_TURNED, "") and thing.noun in (noun, *(s.noun for s in subjects))
-                )
+                score += weights()["alike"] * (thing.noun in alike)
                 several = not self._is_one(thing, named, last, seen)
                 if one and several:
                     score += weights()["several"] + self._place(kind, named, None, seen)
@@ -391,6 +401,11 @@ def _goes_on(one: Occurrence, other: Occurrence) -> bool:
 def _apart(things: Sequence[Mention], others: Sequence[Mention]) -> Mention:
     """What tells some things from others."""
     return next((thing for thing in things if thing not in others), things[0])
+
+
+def _takes_hung(thing: Mention) -> bool:
+    """Whether clothes and towels hang on it."""
+    return last_word(thing) in grammar().lists["hung_on"]
 
 
 def worth(kind: str, noun: str, to: str) -> float:

@@ -1,4 +1,4 @@
-"""Things of two colours, and looks told by a participle: "a black and white rug", "is painted green", "covered in felt"."""
+"""Things of two colours, and looks after a participle: "a black and white rug", "painted green", "covered in felt"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,7 +12,7 @@ _COVERED = ("covered in", "covered with", "covered by")
 
 
 def with_two_colours(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Chunks in which "a black and white rug" is one noun of both colours, and "painted green" only says how it looks."""
+    """Chunks in which "a black and white rug" is one noun of both colours, and "painted green" is no thing."""
     made: list[Chunk] = []
     for chunk in chunks:
         first = made[-2] if len(made) > 1 and is_link(made[-1], "joins", "and") else None
