@@ -38,6 +38,10 @@ def _each_of_both(chunks: Sequence[Chunk], at: int) -> Chunk:
     if not isinstance(chunk, Noun) or chunk.kind != "thing" or chunk.det != "both" or not chunk.plural:
         return chunk
     before = chunks[:at]
+    alike = {c.value for c in before if isinstance(c, Noun) and c.kind == chunk.kind and _goes_by(c, chunk)}
+    begins = bool(before) and is_link(before[-1], "mark", "stop", "semicolon")
+    if begins and not chunk.named and chunk.value not in alike and len(alike) == 1:
+        return Noun("pronoun", "them", chunk.start, chunk.end, "both of them")
     if not before or not is_link(before[-1], "prepositions", *_CARRIED):
         return chunk
     said = before[-3] if len(before) > 1 and is_link(before[-2], "verbs") else before[-2] if len(before) > 1 else None
