@@ -30,6 +30,9 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
             most = bound[0] == "most"
             made[-1] = replace(thing, most=thing.count) if most else replace(thing, least=thing.count)
             at += bound[1]
+        elif isinstance(thing, Noun) and (told := _told_number(thing, chunks[at : at + 3])):
+            made[-1] = replace(thing, end=told.end, count=told.count, plural=(told.count or 0) > 1)
+            at += 2
         elif _is_both_sides(chunks, at):
             at += 2
         elif _is_measuring(chunks, at):
@@ -39,6 +42,16 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
             made.append(chunks[at])
             at += 1
     return made
+
+
+def _told_number(thing: Noun, after: Sequence[Chunk]) -> Noun | None:
+    """The number of "chairs: two, one here and one there", which begins a list of where they are."""
+    if len(after) < _LONGEST or thing.kind != "thing" or thing.count is not None or not thing.plural or thing.det:
+        return None
+    colon, number, comma = after
+    lone = isinstance(number, Noun) and number.kind == "number" and number.count and not number.attributes
+    told = is_link(colon, "mark", "colon") and lone and is_link(comma, "mark", "comma")
+    return number if told and isinstance(number, Noun) else None
 
 
 def _bound(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[str, int] | None:

@@ -1,4 +1,4 @@
-"""Two things at the two sides of a third: "to the left and right of the sofa are a lamp and a plant"."""
+"""Two things at two sides of a third: "left and right of the sofa are a lamp and a plant", "one left and one right"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -19,9 +19,35 @@ def with_one_each_side(chunks: Sequence[Chunk]) -> list[Chunk]:
         after = chunks[at + _TOLD] if at + _TOLD < len(chunks) else None
         ends = after is None or is_link(after, "mark")
         apart = _told_apart(said) if len(said) == _TOLD and ends and _begins(made) else []
-        made += apart or chunks[at : at + 1]
-        at += _TOLD if apart else 1
+        elided = _elided(said)
+        made += apart or elided or chunks[at : at + 1]
+        at += _TOLD if apart else _TOLD - 1 if elided else 1
     return made
+
+
+def _elided(said: Sequence[Chunk]) -> list[Chunk]:
+    """Both of "one left and one right of the desk" with what they are beside; empty for anything else."""
+    if len(said) < _TOLD - 1:
+        return []
+    one, joint, other, link, anchor = said[: _TOLD - 1]
+    if not isinstance(one, Noun) or one.kind != "part" or one.count != 1 or one.value not in ("left", "right"):
+        return []
+    too = isinstance(other, Noun) and other.value == "one" and is_link(link, "prepositions", "left_of", "right_of")
+    if not (too and is_link(joint, "joins", "and") and isinstance(anchor, Noun)):
+        return []
+    kind, first = f"{one.value}_of", replace(one, kind="pronoun", value="one", end=one.start + 1, text="one")
+    known, again = replace(anchor, start=one.end, end=one.end), anchor
+    if anchor.kind == "thing" and anchor.det == "a":
+        again = replace(anchor, det="the")
+    return [
+        first,
+        Connector("prepositions", kind, first.end, one.end, f"{one.value} of"),
+        known,
+        joint,
+        other,
+        link,
+        again,
+    ]
 
 
 def _begins(made: Sequence[Chunk]) -> bool:
