@@ -26,6 +26,7 @@ from thinkblox.reading.english.centring import with_centres
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.collectives import with_collectives
+from thinkblox.reading.english.colours_meant import with_colours_meant
 from thinkblox.reading.english.counted_after import with_counts_after
 from thinkblox.reading.english.counted_rooms import with_furniture
 from thinkblox.reading.english.counted_rows import with_counted_rows
@@ -248,6 +249,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_likings,
         with_lists_for_each,
         with_outside,
+        with_colours_meant,
         with_two_colours,
         with_as_many,
         with_towns,

@@ -1,4 +1,4 @@
-"""More of what lies on a thing: "lying on the desk: a stapler and a pen. Also on it is a mug"."""
+"""What also is somewhere: "on the desk is a pen. Also on it is a mug", "a sink beside it, also in a corner"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,6 +8,10 @@ from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
 _MORE = ("also", "too", "as well")
+_BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "opposite", "under", "above")
+_PLACES = ("against", "along", "on", "in", "by", "near", "under", "next_to")
+_HAD = 7
+"""So many chunks tell of what a thing has where it also is."""
 _MOST = 8
 """Most chunks of a sentence that ends with "too"."""
 
@@ -32,6 +36,23 @@ def with_also_there(chunks: Sequence[Chunk]) -> list[Chunk]:
         if large is not None and not large.many:
             text = f"the {large.word}"
             made[at] = replace(large, start=it.start, end=it.end, det="the", count=None, text=text)
+    for at in range(len(made) - _HAD, -1, -1):
+        had, thing, beside, it, comma, also, link = made[at : at + _HAD]
+        if not (
+            (is_link(had, "prepositions", "with") or is_link(had, "verbs", "have"))
+            and isinstance(thing, Noun)
+            and (thing.kind, thing.det) == ("thing", "a")
+            and is_link(beside, "prepositions", *_BESIDE)
+            and isinstance(it, Noun)
+            and it.value == "it"
+            and is_link(comma, "mark", "comma")
+            and _is_more(also)
+            and is_link(link, "prepositions", *_PLACES)
+        ):
+            continue
+        said = replace(thing, start=also.start, end=also.start, det="the", text=f"the {thing.word}", fates={})
+        stop = Connector("mark", "semicolon", comma.start, comma.end, ";")
+        made[at + 4 : at + 6] = [stop, said, Connector("verbs", "be", also.start, also.end, "also")]
     return made
 
 
