@@ -62,6 +62,7 @@ from thinkblox.reading.english.none_of import with_none_of
 from thinkblox.reading.english.nothing_else import with_nothing_else
 from thinkblox.reading.english.noughts import with_noughts
 from thinkblox.reading.english.on_it_first import with_on_it_last
+from thinkblox.reading.english.one_by_one import join_one_by_one
 from thinkblox.reading.english.one_each_side import with_one_each_side
 from thinkblox.reading.english.one_more import with_one_more
 from thinkblox.reading.english.ones_apart import with_ones_apart
@@ -329,7 +330,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_centres,
     ):
         chunks = rewritten(chunks)
-    draft = Clauses(tokens, chunks).read()
+    clauses = Clauses(tokens, chunks)
+    draft = clauses.read()
+    join_one_by_one(draft, chunks, clauses.meant)
     draft.surfaces += noted
     draft.unknown += told
     draft.written, draft.told = written, told
