@@ -36,6 +36,7 @@ from thinkblox.reading.english.denied_places import with_denied_places
 from thinkblox.reading.english.dimensions import with_plain_sizes
 from thinkblox.reading.english.doings import with_doings
 from thinkblox.reading.english.each_of_which import with_each_of_which
+from thinkblox.reading.english.each_side_having import with_each_side_having
 from thinkblox.reading.english.elisions import with_counts, with_nouns
 from thinkblox.reading.english.facing_people import with_facing_people
 from thinkblox.reading.english.familiar import known_share
@@ -237,6 +238,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_rooms_parts,
         with_room_meant,
         with_where_told,
+        with_each_side_having,
         with_lists_there,
         with_broken_off,
         with_this_named,
