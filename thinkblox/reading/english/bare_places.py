@@ -1,10 +1,11 @@
-"""Places that stand beside a thing without a word between, as in notes: "bed north wall, desk SW corner, door east"."""
+"""Places told in few words, as in notes: "bed north wall, desk SW corner", "chair: corner", "a desk for the corner"."""
 
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_link
 
 _SIDED = re.compile(r"(?:(?:an?|one|two|three|\d) )?(windows?|doors?) (north|south|east|west|left|right)")
 _WALLS = {"north": "north_wall", "south": "south_wall", "east": "east_wall", "west": "west_wall"} | {
@@ -20,7 +21,25 @@ def with_bare_places(chunks: Sequence[Chunk]) -> list[Chunk]:
             word = "in" if chunk.value.startswith("corner") else "along"
             found.append(Connector("prepositions", word, chunk.start, chunk.start, word))
         found += _opening(chunk)
+    for at in range(len(found) - 1, 1, -1):
+        thing, link, place = found[at - 2 : at + 1]
+        if not isinstance(place, Noun) or not (word := _led_by(place)) or not _is_placed(thing):
+            continue
+        ends = at + 1 == len(found) or is_link(found[at + 1], "mark")
+        if is_link(link, "mark", "colon") and ends:
+            found.insert(at, Connector("prepositions", word, place.start, place.start, word))
+        elif is_link(link, "prepositions", "for"):
+            word = "on" if place.value == "wall" else word
+            found[at - 1] = Connector("prepositions", word, link.start, link.end, "for")
     return found
+
+
+def _led_by(place: Noun) -> str:
+    """The preposition of a corner, a wall or the middle of the room; empty for other places."""
+    if place.kind != "place":
+        return ""
+    first = place.value.split()[0]
+    return "in" if first in ("corner", "centre") else "against" if first.endswith("wall") else ""
 
 
 def _is_bare(place: Noun) -> bool:

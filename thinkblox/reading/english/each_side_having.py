@@ -27,6 +27,8 @@ def _each_having(said: Sequence[Chunk]) -> Sequence[Chunk]:
     side = next((n for n, chunk in enumerate(said) if n and _is_every_side(chunk)), 0)
     if not side or not is_link(said[side - 1], "prepositions"):
         return said
+    if is_link(said[side - 2], "joins", "and") and side > 1:
+        return [*said[: side - 1], *_each_having(said[side - 1 :])]
     verb = next((n for n, chunk in enumerate(said) if is_link(chunk, "verbs", "be", "stand")), 0)
     if side == 1 and verb > side:
         thing, rest, tail = verb + 1, said[verb + 2 :], said[:0]
