@@ -13,6 +13,8 @@ _BOUNDS = {
 """What bounds a number that comes before it."""
 _LONGEST = 3
 """Most chunks of that."""
+_WHERE = 6
+"""Most chunks that a colon, a place and the mark after them have."""
 _SIDES = ("each", "either", "both")
 
 
@@ -33,6 +35,9 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif isinstance(thing, Noun) and (told := _told_number(thing, chunks[at : at + 3])):
             made[-1] = replace(thing, end=told.end, count=told.count, plural=(told.count or 0) > 1)
             at += 2
+        elif isinstance(thing, Noun) and thing.kind == "thing" and thing.many and _is_where(chunks[at : at + _WHERE]):
+            made.append(Connector("mark", "comma", chunks[at].start, chunks[at].end, ","))
+            at += 1
         elif _is_both_sides(chunks, at):
             at += 2
         elif _is_measuring(chunks, at):
@@ -52,6 +57,15 @@ def _told_number(thing: Noun, after: Sequence[Chunk]) -> Noun | None:
     lone = isinstance(number, Noun) and number.kind == "number" and number.count and not number.attributes
     told = is_link(colon, "mark", "colon") and lone and is_link(comma, "mark", "comma")
     return number if told and isinstance(number, Noun) else None
+
+
+def _is_where(after: Sequence[Chunk]) -> bool:
+    """Whether a colon comes, and after it nothing but where things are: "chairs (4): around the table"."""
+    if len(after) < _LONGEST or not is_link(after[0], "mark", "colon") or not is_link(after[1], "prepositions"):
+        return False
+    of = len(after) > _LONGEST + 1 and is_link(after[_LONGEST], "prepositions", "of")
+    end = _LONGEST + 2 * of
+    return isinstance(after[end - 1], Noun) and (len(after) == end or is_link(after[end], "mark", "stop", "semicolon"))
 
 
 def _bound(thing: Noun, chunks: Sequence[Chunk], at: int) -> tuple[str, int] | None:
