@@ -114,6 +114,7 @@ from thinkblox.reading.english.two_colours import with_two_colours
 from thinkblox.reading.english.two_places import with_two_places
 from thinkblox.reading.english.ways import with_ways
 from thinkblox.reading.english.where_told import with_lists_there, with_where_told
+from thinkblox.reading.english.written_lines import with_lines
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -210,7 +211,7 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
-    written, (text, places) = text, _evened(text)
+    written, (text, places) = text, _evened(with_lines(text))
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _LABEL.sub(lambda match: "\n".rjust(len(match[0])), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)

@@ -35,7 +35,7 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif isinstance(thing, Noun) and (told := _told_number(thing, chunks[at : at + 3])):
             made[-1] = replace(thing, end=told.end, count=told.count, plural=(told.count or 0) > 1)
             at += 2
-        elif isinstance(thing, Noun) and thing.kind == "thing" and thing.many and _is_where(chunks[at : at + _WHERE]):
+        elif isinstance(thing, Noun) and thing.kind == "thing" and _is_where(thing, chunks[at : at + _WHERE]):
             made.append(Connector("mark", "comma", chunks[at].start, chunks[at].end, ","))
             at += 1
         elif _is_both_sides(chunks, at):
@@ -59,9 +59,14 @@ def _told_number(thing: Noun, after: Sequence[Chunk]) -> Noun | None:
     return number if told and isinstance(number, Noun) else None
 
 
-def _is_where(after: Sequence[Chunk]) -> bool:
-    """Whether a colon comes, and after it nothing but where things are: "chairs (4): around the table"."""
+def _is_where(thing: Noun, after: Sequence[Chunk]) -> bool:
+    """Whether a colon comes, and after it nothing but where things are: "chairs (4): around the table".
+
+    Of a single thing it is understood with a colon as well, but for "to the left of".
+    """
     if len(after) < _LONGEST or not is_link(after[0], "mark", "colon") or not is_link(after[1], "prepositions"):
+        return False
+    if not thing.many and not is_link(after[1], "prepositions", "to"):
         return False
     of = len(after) > _LONGEST + 1 and is_link(after[_LONGEST], "prepositions", "of")
     end = _LONGEST + 2 * of
