@@ -151,6 +151,12 @@ def test_relations_in_a_circle_keep_an_order() -> None:
     assert ("in_front_of", "desk_1") in ties_of(plan, "bed_1")
 
 
+def test_who_sits_around_a_table_may_face_it_as_well() -> None:
+    said = "Two wicker chairs and a loveseat are grouped around a coffee table, and the loveseat faces the table."
+    brief = read_brief(f"A sunroom. {said}")
+    check_plan(plan_brief(brief, plan_room(brief, rng=0)), brief)
+
+
 def test_large_things_come_first_and_small_things_last() -> None:
     plan = plan_of("A vase, a chair, a rug, a dining table, a sideboard and a wardrobe.")
     ids = [target.id for target in plan.targets]
