@@ -141,6 +141,9 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
     rows = next((bond.rows for bond in bonds if bond.kind == "in_rows"), None)
     if rows is not None:
         return max(rows, _ROWS) * (abreast or _PER_ROW)
+    tables = [a for b in bonds if b.kind in ("around", "at") for a in b.anchors if isinstance(a, Mention) and a.seats]
+    if tables and load_habits().is_in(thing.noun, "seats", "chairs"):
+        return sum(table.seats * (table.count or 1) for table in tables)
     return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
 
 

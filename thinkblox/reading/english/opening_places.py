@@ -26,7 +26,7 @@ _AWAY = 4
 
 def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the things are told of by the openings, which stay where they are."""
-    made = _lost(chunks)
+    made = _walls_last(_lost(chunks))
     at = -1
     while (at := at + 1) < len(made) - 3:
         opening, verb = made[at : at + 2]
@@ -40,6 +40,24 @@ def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
         if isinstance(thing, Noun) and thing.kind == "thing" and not thing.many and over:
             link = Connector("prepositions", _TURNED[word], made[at + 2].start, made[at + 2].end)
             made[at : end + 1] = [*_asked(opening), thing, verb, link, _the(opening)]
+    return made
+
+
+def _walls_last(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks in which windows and doors come before their wall: "on the right wall are two windows"."""
+    made = list(chunks)
+    at = -1
+    while (at := at + 1) < len(made) - 2:
+        link, wall, verb = made[at : at + 3]
+        begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and")
+        walls = isinstance(wall, Noun) and wall.kind == "place" and wall.value.endswith("wall")
+        if not (begins and walls and is_link(link, "prepositions", "on", "in", "along")):
+            continue
+        length = 2 + is_link(verb, "verbs", "be", "stand")
+        opening = made[at + length] if at + length < len(made) else None
+        named = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
+        if named and isinstance(opening, Noun) and (opening.det == "a" or opening.count):
+            made[at : at + length + 1] = [opening, link, wall]
     return made
 
 
