@@ -26,11 +26,16 @@ _AWAY = 4
 
 def with_opening_places(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the things are told of by the openings, which stay where they are."""
-    made = _walls_last(_lost(chunks))
+    made = _with_both_sides(_walls_last(_lost(chunks)))
     at = -1
     while (at := at + 1) < len(made) - 3:
         opening, verb = made[at : at + 2]
         begins = not at or is_link(made[at - 1], "mark") or is_link(made[at - 1], "joins", "and", "but")
+        if _is_there(made, at) and _is_opening(opening) and isinstance(opening, Noun) and opening.det == "a":
+            sided, length = _where(made, at + 1)
+            if sided in ("left_of", "right_of") and length > 1:
+                verb, begins = Connector("verbs", "be", opening.end, opening.end, "is"), True
+                made.insert(at + 1, verb)
         if not (begins and _is_opening(opening) and is_link(verb, "verbs", "be", "stand")):
             continue
         word, length = _where(made, at + 2)
@@ -58,6 +63,33 @@ def _walls_last(chunks: Sequence[Chunk]) -> list[Chunk]:
         named = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
         if named and isinstance(opening, Noun) and (opening.det == "a" or opening.count):
             made[at : at + length + 1] = [opening, link, wall]
+    return made
+
+
+def _is_there(chunks: Sequence[Chunk], at: int) -> bool:
+    """Whether "there is" comes before."""
+    told = chunks[at - 1] if at else None
+    return isinstance(told, Connector) and is_link(told, "verbs", "be") and told.text.lower().startswith("there")
+
+
+def _with_both_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks with what "to the right" is of, where the left of a window was told of before."""
+    made = list(chunks)
+    sided: tuple[str, Noun] | None = None
+    at = -1
+    while (at := at + 1) < len(made) - 1:
+        link, part = made[at : at + 2]
+        if is_link(link, "mark", "stop") and not is_link(part, "prepositions", "to", "on"):
+            sided = None
+        if not (is_link(link, "prepositions", "to", "on") and isinstance(part, Noun) and part.kind == "part"):
+            continue
+        of, opening = (*made[at + 2 : at + 4], None, None)[:2]
+        if is_link(of, "prepositions", "of"):
+            known = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
+            sided = (part.value, opening) if known and isinstance(opening, Noun) else None
+        elif sided is not None and {part.value, sided[0]} == {"left", "right"}:
+            again = replace(sided[1], start=part.end, end=part.end, det="the", count=None)
+            made[at + 2 : at + 2] = [Connector("prepositions", "of", part.end, part.end, "of"), again]
     return made
 
 
