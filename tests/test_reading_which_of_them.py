@@ -139,3 +139,48 @@ def test_what_each_of_two_has_is_there_twice(prompt: str) -> None:
 def test_more_of_the_same_list_are_others() -> None:
     counts = [r.count for r in read_brief("Two lamps, a desk, a lamp on the desk and a lamp by the door.").requests]
     assert sum(counts) == 5
+
+
+@pytest.mark.parametrize(
+    ("prompt", "openings", "relations"),
+    [
+        (
+            "On the left wall is a whiteboard, and on the right wall is a window.",
+            {("window", "right_wall", 1)},
+            {"1 whiteboard on left_wall"},
+        ),
+        ("On the right wall are two windows. A sofa.", {("window", "right_wall", 2)}, set()),
+        ("There's a window to the right of the bed.", {("window", "", 1)}, {"1 bed left_of window"}),
+        (
+            "To the left of the window is a wardrobe, to the right a dresser.",
+            set(),
+            {"1 wardrobe left_of window", "1 dresser right_of window"},
+        ),
+        (
+            "A sofa. Three windows, two on the left wall and one on the back wall.",
+            {("window", "left_wall", 2), ("window", "far_wall", 1)},
+            set(),
+        ),
+        (
+            "A sofa. Two windows are on the left wall and one is on the back wall.",
+            {("window", "left_wall", 2), ("window", "far_wall", 1)},
+            set(),
+        ),
+        ("There is a window on either side of the bed.", {("window", "", 2)}, {"1 bed next_to window"}),
+    ],
+)
+def test_windows_are_where_they_are_said_to_be(
+    prompt: str, openings: set[tuple[str, str, int]], relations: set[str]
+) -> None:
+    brief = read_brief(f"This is a room. {prompt}")
+    assert {(o.kind, o.wall, o.count) for o in brief.openings} == openings
+    assert related(brief) == relations
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "chairs"),
+    [("A dining table for six with chairs.", 6), ("A table for eight people with chairs around it.", 8)],
+)
+def test_as_many_chairs_as_a_table_seats(prompt: str, chairs: int) -> None:
+    assert [r.count for r in read_brief(prompt).requests if r.category == "chair"] == [chairs]

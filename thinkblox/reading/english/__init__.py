@@ -92,6 +92,7 @@ from thinkblox.reading.english.roughly import with_rough
 from thinkblox.reading.english.seats_joined import with_seats_joined
 from thinkblox.reading.english.serial_commas import with_clause_commas, with_serial_commas
 from thinkblox.reading.english.several_anchors import with_several_anchors
+from thinkblox.reading.english.shared_openings import with_shared_openings
 from thinkblox.reading.english.shared_out import with_shared_out
 from thinkblox.reading.english.shared_rooms import with_parts
 from thinkblox.reading.english.shares_told import with_shares
@@ -277,6 +278,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_fronted,
         with_rooms_having,
         with_room_sides,
+        with_shared_openings,
         with_opening_places,
         with_moved_parts,
         with_part_subjects,
