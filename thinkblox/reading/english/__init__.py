@@ -136,6 +136,8 @@ _LABEL = re.compile(
 """What a text is, or that it is wanted, said before it."""
 _SPACES = re.compile(r"[ \t\u00a0]+(?=[ \t\u00a0,;.:!?)])|(?<=\n)[ \t\u00a0]+")
 _PLAIN = str.maketrans({"\u2019": "'", "\u2018": "'", "\u02bc": "'", "\u201c": '"', "\u201d": '"'})
+_TIMES = re.compile(r"(?<=\()(?:[x\u00d7] ?\d{1,3}|\d{1,3} ?[x\u00d7])(?=\s*[,);])", re.IGNORECASE)
+"""How many there are, in brackets after a thing: "(x2)", "(2x, around the table)"."""
 _AND_HALF = re.compile(
     r"\b(\d+|one|two|three|four|five|six|seven|eight|nine|ten) and a half"
     r"(?= ?(?:m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|inch(?:es)?|yards?|by|x|times)\b)|"
@@ -225,6 +227,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _TO_CEILING.sub(lambda match: _full_height(match).ljust(len(match[0])), text)
     text = _IMAGINED.sub(lambda match: "show".ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
+    text = _TIMES.sub(lambda match: re.sub(r"\D", " ", match[0]), text)
     text = _AND_HALF.sub(lambda match: _and_half((match[1] or match[2]).lower()).ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = [structs.replace(token, start=places[token.start]) for token in lexicon.tokens(text)]

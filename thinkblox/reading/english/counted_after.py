@@ -13,6 +13,8 @@ _BOUNDS = {
 """What bounds a number that comes before it."""
 _LONGEST = 3
 """Most chunks of that."""
+_SHARED = 4
+"""Chunks of "(2, one"."""
 _WHERE = 6
 """Most chunks that a colon, a place and the mark after them have."""
 _SIDES = ("each", "either", "both")
@@ -28,6 +30,10 @@ def with_counts_after(chunks: Sequence[Chunk]) -> list[Chunk]:
         if number and isinstance(thing, Noun) and thing.kind == "thing" and thing.count is None and not thing.definite:
             made[-1] = replace(thing, count=number, plural=number > 1)
             at += 3
+        elif isinstance(thing, Noun) and (shared := _shared(thing, chunks[at : at + _SHARED])):
+            made[-1] = replace(thing, count=shared, plural=shared > 1)
+            made.append(Connector("mark", "comma", chunks[at + 2].start, chunks[at + 2].end, ","))
+            at += _SHARED - 1
         elif isinstance(thing, Noun) and (bound := _bound(thing, chunks, at)):
             most = bound[0] == "most"
             made[-1] = replace(thing, most=thing.count) if most else replace(thing, least=thing.count)
@@ -101,6 +107,16 @@ def _number(said: Sequence[Chunk]) -> int:
     if not (is_link(opens, "mark", "open") and is_link(closes, "mark", "close") and alone):
         return 0
     return number.count or 0 if isinstance(number, Noun) else 0
+
+
+def _shared(thing: Noun, after: Sequence[Chunk]) -> int:
+    """The number in brackets before where each of them is: "lamp (2, one on each table)"; 0 for other words."""
+    new = thing.kind == "thing" and thing.count is None and not thing.definite
+    if len(after) < _SHARED or not new or not is_link(after[2], "mark", "comma"):
+        return 0
+    one = after[-1]
+    each = isinstance(one, Noun) and one.kind in ("number", "pronoun") and one.count is not None
+    return _number([*after[:2], Connector("mark", "close", 0, 0, ")")]) if each else 0
 
 
 def _is_both_sides(chunks: Sequence[Chunk], at: int) -> bool:
