@@ -34,8 +34,12 @@ def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, S
         words = [thing.text.lower().split()[0] for thing in told if thing.text]
         single = len(words) == len(told) and words[:1] and words[0] in _ARTICLES and set(words) <= set(_MORE)
         apart = whole in first and any(first[whole] < stop < first.get(t, 0) for t in told[:1] for stop in stops)
-        if not single or not apart or not placed.issuperset(told) or sum(_total(draft, t) for t in told) != whole.count:
+        bare = len(told) == 1 and told[0].count is None and not told[0].vague
+        counted = single and sum(_total(draft, thing) for thing in told) == whole.count
+        if not (counted or bare) or not apart or not placed.issuperset(told):
             continue
+        if bare:
+            told[0].count = whole.count
         for thing in told:
             thing.noun = whole.noun if thing.noun.startswith("any_") else thing.noun
             thing.attributes += [look for look in whole.attributes if look not in thing.attributes]
