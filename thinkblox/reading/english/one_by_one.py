@@ -1,15 +1,17 @@
 """What is counted first and told one by one later: "two lamps. ... A lamp is on the desk and a lamp is by the door"."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from thinkblox.assets.palette import COLOURS
-from thinkblox.reading.draft import Draft, Mention
+from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.said import is_link
 
-_ARTICLES = ("a", "an", "one")
-_MORE = (*_ARTICLES, "another", "the")
+_SEVERAL = 2
+"""So many of a plural are there at least."""
+_MORE = (["another"], ["more"], ["other"])
+"""With what word more begins than there was before."""
 
 
 def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, Sequence[Mention]]) -> None:
@@ -25,34 +27,56 @@ def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, S
         for thing in things:
             first.setdefault(thing, start)
     stops = [chunk.start for chunk in chunks if is_link(chunk, "mark", "stop", "semicolon", "colon")]
-    placed = {bond.subject for bond in draft.bonds}
-    bound = {*placed, *(a for bond in draft.bonds for a in bond.anchors if isinstance(a, Mention))}
     for at, whole in enumerate(list(draft.things)):
-        if whole in bound or not _is_only_counted(whole):
+        if draft.bonds_of(whole) or not _is_only_counted(whole):
             continue
         told = [thing for thing in draft.things[at + 1 :] if _is_alike(thing, whole)]
-        words = [thing.text.lower().split()[0] for thing in told if thing.text]
-        single = len(words) == len(told) and words[:1] and words[0] in _ARTICLES and set(words) <= set(_MORE)
-        apart = whole in first and any(first[whole] < stop < first.get(t, 0) for t in told[:1] for stop in stops)
-        bare = len(told) == 1 and told[0].count is None and not told[0].vague
-        counted = single and sum(_total(draft, thing) for thing in told) == whole.count
-        if not (counted or bare) or not apart or not placed.issuperset(told):
+        placed = [thing for thing in told if draft.bonds_of(thing)]
+        begun = min((first[thing] for thing in told if thing in first), default=-1)
+        if not placed or whole not in first or not any(first[whole] < stop < begun for stop in stops):
             continue
-        if bare:
-            told[0].count = whole.count
-        for thing in told:
-            thing.noun = whole.noun if thing.noun.startswith("any_") else thing.noun
-            thing.attributes += [look for look in whole.attributes if look not in thing.attributes]
-            thing.unshown += [look for look in whole.unshown if look not in thing.unshown]
-            thing.states += [state for state in whole.states if state not in thing.states]
-        draft.drop(whole)
+        if placed[0].text.lower().split()[:1] in _MORE or not _are_all(draft, placed, whole):
+            continue
+        for thing in placed:
+            _take(thing, whole, alone=len(placed) == 1)
+        besides = {whole, *(thing for thing in told if thing not in placed)}
+        for bond in draft.bonds:
+            if not besides.isdisjoint(a for a in bond.anchors if isinstance(a, Mention)):
+                _point_at(bond, whole, placed, besides)
+        draft.things = [thing for thing in draft.things if thing not in besides]
+        draft.dropped |= besides
+
+
+def _are_all(draft: Draft, placed: Sequence[Mention], whole: Mention) -> bool:
+    """Whether things are as many as the whole; of which nobody knows how many it is, they are all."""
+    alone = placed[0] if len(placed) == 1 else None
+    if alone is not None and alone.count is None and not alone.vague:
+        return True
+    number = sum(_total(draft, thing) for thing in placed)
+    return number == whole.count if whole.count is not None else number > 1
+
+
+def _take(thing: Mention, whole: Mention, *, alone: bool) -> None:
+    """Tell of a thing what was told of the whole."""
+    thing.noun = whole.noun if thing.noun.startswith("any_") else thing.noun
+    thing.count = whole.count if alone and thing.count is None else thing.count
+    thing.attributes += [look for look in whole.attributes if look not in thing.attributes]
+    thing.unshown += [look for look in whole.unshown if look not in thing.unshown]
+    thing.states += [state for state in whole.states if state not in thing.states]
+
+
+def _point_at(bond: Bond, whole: Mention, placed: Sequence[Mention], besides: Collection[Mention]) -> None:
+    """Relate to the things that are placed what was related to the whole, or to one of them by its name alone."""
+    meant = [*placed] if whole in bond.anchors else [*placed[:1]]
+    rest = [a for a in bond.anchors if not (isinstance(a, Mention) and (a in besides or a in meant))]
+    bond.anchors = (*meant, *rest)
 
 
 def _is_only_counted(thing: Mention) -> bool:
     """Whether nothing but how many there are, and what they look like, is told of it."""
     more = thing.owner or thing.host or thing.rows or thing.groups or thing.per or thing.size or thing.seats
     more = more or thing.least is not None or thing.most is not None or thing.vague or thing.general
-    return thing.asked and bool(thing.count) and not more
+    return thing.asked and (bool(thing.count) or thing.plural) and not more
 
 
 def _is_alike(thing: Mention, whole: Mention) -> bool:
@@ -63,6 +87,8 @@ def _is_alike(thing: Mention, whole: Mention) -> bool:
 
 def _total(draft: Draft, thing: Mention) -> int:
     """How many one is of which something is told of each."""
-    shares = [b for b in draft.bonds_of(thing) if b.each or b.distributed]
-    anchors = [a for b in shares[:1] for a in b.anchors if isinstance(a, Mention)]
-    return (thing.count or 1) * (sum(anchor.count or 1 for anchor in anchors) or 1)
+    bonds = draft.bonds_of(thing)
+    shares = [bond for bond in bonds if bond.each or bond.distributed]
+    anchors = [a for bond in shares[:1] for a in bond.anchors if isinstance(a, Mention)]
+    spread = max((bond.spread for bond in bonds), default=0)
+    return (thing.count or 1) * (sum(anchor.count or _SEVERAL for anchor in anchors) or spread or 1)
