@@ -111,6 +111,20 @@ WASHING = (
             "1 desk_lamp on desk, 1 floor_lamp on floor",
         ),
         ("A chair, a desk and a lamp. A lamp is on the desk.", "1 desk_lamp on desk"),
+        ("A sofa and two chairs. A chair is by the window.", "1 chair-2 next_to window"),
+        (
+            "Objects: table (1), chairs (6), lamp (1). Constraints: chairs around the table; lamp above the table.",
+            "6 chair around dining_table, 1 pendant_lamp above dining_table",
+        ),
+        (
+            "Objects: 2 armchairs, table, lamp. Rules: an armchair on each side of the table; lamp near an armchair.",
+            "1 armchair left_of dining_table, 1 armchair-2 right_of dining_table, 1 floor_lamp near armchair",
+        ),
+        (
+            "A bed, two nightstands, two lamps. A nightstand is on each side of the bed, a lamp on each nightstand.",
+            "1 nightstand left_of bed, 1 nightstand-2 right_of bed, 2 table_lamp on nightstand nightstand-2",
+        ),
+        ("A cafe has 3 tables and 6 chairs. Two chairs at each table.", "6 chair around dining_table"),
     ],
 )
 def test_relations_are_of_what_they_are_said_of(prompt: str, relations: str) -> None:

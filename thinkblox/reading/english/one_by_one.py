@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Mapping, Sequence
 
-from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk
 from thinkblox.reading.english.referents import last_word
@@ -10,6 +9,7 @@ from thinkblox.reading.english.said import is_link
 
 _SEVERAL = 2
 """So many of a plural are there at least."""
+_ONE = (["a"], ["an"], ["one"])
 _MORE = (["another"], ["more"], ["other"])
 """With what word more begins than there was before."""
 
@@ -27,24 +27,41 @@ def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, S
         for thing in things:
             first.setdefault(thing, start)
     stops = [chunk.start for chunk in chunks if is_link(chunk, "mark", "stop", "semicolon", "colon")]
-    for at, whole in enumerate(list(draft.things)):
-        if draft.bonds_of(whole) or not _is_only_counted(whole):
+    for whole in list(draft.things):
+        if whole not in draft.things or draft.bonds_of(whole) or not _is_only_counted(whole):
             continue
-        told = [thing for thing in draft.things[at + 1 :] if _is_alike(thing, whole)]
+        told = [t for t in draft.things[draft.things.index(whole) + 1 :] if _is_alike(t, whole)]
         placed = [thing for thing in told if draft.bonds_of(thing)]
         begun = min((first[thing] for thing in told if thing in first), default=-1)
-        if not placed or whole not in first or not any(first[whole] < stop < begun for stop in stops):
-            continue
-        if placed[0].text.lower().split()[:1] in _MORE or not _are_all(draft, placed, whole):
-            continue
-        for thing in placed:
-            _take(thing, whole, alone=len(placed) == 1)
-        besides = {whole, *(thing for thing in told if thing not in placed)}
-        for bond in draft.bonds:
-            if not besides.isdisjoint(a for a in bond.anchors if isinstance(a, Mention)):
-                _point_at(bond, whole, placed, besides)
-        draft.things = [thing for thing in draft.things if thing not in besides]
-        draft.dropped |= besides
+        if placed and whole in first and any(first[whole] < stop < begun for stop in stops):
+            _join(draft, whole, placed, [thing for thing in told if thing not in placed])
+
+
+def _join(draft: Draft, whole: Mention, placed: Sequence[Mention], pointed: Sequence[Mention]) -> None:
+    """Take things that are placed, and those that others are `pointed` at, for some or all of a whole."""
+    more = placed[0].text.lower().split()[:1] in _MORE
+    if more or _takes_some(draft, placed, whole) or not _are_all(draft, placed, whole):
+        return
+    for thing in placed:
+        _take(thing, whole, alone=len(placed) == 1)
+    besides = {whole, *pointed}
+    for bond in draft.bonds:
+        if not besides.isdisjoint(a for a in bond.anchors if isinstance(a, Mention)):
+            _point_at(bond, whole, placed, besides)
+    draft.things = [thing for thing in draft.things if thing not in besides]
+    draft.dropped |= besides
+
+
+def _takes_some(draft: Draft, placed: Sequence[Mention], whole: Mention) -> bool:
+    """Leave so many fewer of those that are only counted, if some are named again by nothing but their name."""
+    bare = all(thing.text.lower().split()[:1] in _ONE and not (thing.attributes or thing.unshown) for thing in placed)
+    left = (whole.count or 0) - sum(_total(draft, thing) for thing in placed)
+    if not bare or left < 1 or any(whole in bond.anchors for bond in draft.bonds):
+        return False
+    whole.count, whole.plural = left, left > 1
+    for thing in placed:
+        _take(thing, whole, alone=False)
+    return True
 
 
 def _are_all(draft: Draft, placed: Sequence[Mention], whole: Mention) -> bool:
@@ -80,9 +97,11 @@ def _is_only_counted(thing: Mention) -> bool:
 
 
 def _is_alike(thing: Mention, whole: Mention) -> bool:
+    """Whether a thing may be one of those: of their kind, and not of other looks."""
     general = thing.noun.startswith("any_") and last_word(thing) == last_word(whole)
-    colours = [{look for look in t.attributes if look in COLOURS} for t in (thing, whole)]
-    return (thing.noun == whole.noun or general) and (not all(colours) or colours[0] == colours[1])
+    return (thing.noun == whole.noun or general) and (
+        not whole.attributes or set(thing.attributes) <= {*whole.attributes}
+    )
 
 
 def _total(draft: Draft, thing: Mention) -> int:
