@@ -125,6 +125,8 @@ WASHING = (
             "1 nightstand left_of bed, 1 nightstand-2 right_of bed, 2 table_lamp on nightstand nightstand-2",
         ),
         ("A cafe has 3 tables and 6 chairs. Two chairs at each table.", "6 chair around dining_table"),
+        ("There are books on the shelf. There are ten books.", "10 book on bookcase"),
+        ("Five sculptures on pedestals. There's one sculpture per pedestal.", "5 sculpture on pedestal"),
     ],
 )
 def test_relations_are_of_what_they_are_said_of(prompt: str, relations: str) -> None:

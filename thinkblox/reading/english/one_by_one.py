@@ -27,6 +27,10 @@ def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, S
         for thing in things:
             first.setdefault(thing, start)
     stops = [chunk.start for chunk in chunks if is_link(chunk, "mark", "stop", "semicolon", "colon")]
+    for thing in list(draft.things):
+        if (same := _told_before(draft, thing)) is not None and _is_apart(first, stops, same, thing):
+            same.count = thing.count if same.count is None else same.count
+            draft.drop(thing)
     for whole in list(draft.things):
         if whole not in draft.things or draft.bonds_of(whole) or not _is_only_counted(whole):
             continue
@@ -35,6 +39,27 @@ def join_one_by_one(draft: Draft, chunks: Sequence[Chunk], meant: Mapping[int, S
         begun = min((first[thing] for thing in told if thing in first), default=-1)
         if placed and whole in first and any(first[whole] < stop < begun for stop in stops):
             _join(draft, whole, placed, [thing for thing in told if thing not in placed])
+
+
+def _is_apart(first: Mapping[Mention, int], stops: Sequence[int], one: Mention, other: Mention) -> bool:
+    """Whether a sentence ends between what was named first and the other."""
+    return one in first and other in first and any(first[one] < stop < first[other] for stop in stops)
+
+
+def _told_before(draft: Draft, thing: Mention) -> Mention | None:
+    """What a thing is that is only counted after all ("books on the shelf ... ten books"), or told of once more."""
+    if not thing.count or any(thing in bond.anchors for bond in draft.bonds):
+        return None
+    before = [t for t in draft.things[: draft.things.index(thing)] if _is_alike(t, thing) and draft.bonds_of(t)]
+    if len(before) != 1 or thing.text.lower().split()[:1] in _MORE:
+        return None
+    bonds = draft.bonds_of(thing)
+    if not bonds:
+        counted = _is_only_counted(thing) and thing.count > 1 and before[0].count is None and not before[0].vague
+        return before[0] if counted else None
+    known = {(bond.kind, bond.anchors) for bond in draft.bonds_of(before[0])}
+    again = {(bond.kind, bond.anchors) for bond in bonds} <= known and any(bond.each for bond in bonds)
+    return before[0] if again and _total(draft, thing) == before[0].count else None
 
 
 def _join(draft: Draft, whole: Mention, placed: Sequence[Mention], pointed: Sequence[Mention]) -> None:
