@@ -9,10 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
+from tests.test_reading_hostile import WORDS
 from tests.test_reading_turns import related
 from thinkblox.brief import Brief
 from thinkblox.reading import read_brief
+from thinkblox.reading.english.plain_turns import with_plain_turns
+from thinkblox.reading.english.written_lines import with_lines
 
 DEMANDS = Path(__file__).parent / "bench" / "demands"
 OTHERWISE = tomllib.loads((Path(__file__).parent / "said_otherwise.toml").read_text("utf-8"))
@@ -109,3 +114,14 @@ def test_a_list_of_lines_is_read_whatever_marks_its_entries(bullet: str, entry: 
     assert brief.unknown == ()
     text = brief.prompt
     assert [text[word.start : word.start + len(word.text)] for word in brief.account] == [w.text for w in brief.account]
+
+
+@given(st.lists(st.sampled_from(WORDS), max_size=30).map(" ".join))
+@example("Three lamps of different colours.")
+@example("A clock on its wall, so that it faces the door.")
+def test_plainer_words_leave_all_others_in_their_places(text: str) -> None:
+    assert len(with_plain_turns(text)) == len(text)
+    assert len(with_lines(text)) == len(text)
+    if any(character.isalpha() for character in text):
+        brief = read_brief(text)
+        assert all(text[word.start : word.start + len(word.text)] == word.text for word in brief.account)

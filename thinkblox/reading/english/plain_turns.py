@@ -156,8 +156,13 @@ def _as_template(plain: str, said: re.Match[str]) -> str:
 
 
 def _padded(plainer: Callable[[re.Match[str]], str]) -> Callable[[re.Match[str]], str]:
-    """The same words with spaces after them, so that all that follows stays in its place."""
-    return lambda said: plainer(said).ljust(len(said[0]))
+    """The same words with spaces after them, so that all that follows stays in its place; none that are longer."""
+
+    def put(said: re.Match[str]) -> str:
+        words = plainer(said)
+        return words.ljust(len(said[0])) if len(words) <= len(said[0]) else said[0]
+
+    return put
 
 
 def _turned_so(verb: str) -> str:
