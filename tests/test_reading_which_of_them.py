@@ -126,6 +126,8 @@ WASHING = (
         ),
         ("A cafe has 3 tables and 6 chairs. Two chairs at each table.", "6 chair around dining_table"),
         ("There are books on the shelf. There are ten books.", "10 book on bookcase"),
+        ("Four chairs with cushions around a table.", "4 chair around dining_table, 4 pillow on chair"),
+        ("Two sofas with cushions facing each other.", "2 sofa facing sofa, 2 pillow on sofa"),
         ("Five sculptures on pedestals. There's one sculpture per pedestal.", "5 sculpture on pedestal"),
     ],
 )

@@ -9,6 +9,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node, Where
+from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
 
@@ -127,7 +128,9 @@ class Descriptions(Rooms):
         if not nodes:
             self._lose(link.start, link.end)
             return
-        node = next((n for n in nodes if any(t.many for t in n.things)), None)
+        several = [n for n in nodes if any(t.many for t in n.things)]
+        standing = [n for n in several if link.value == "facing" and not all(map(is_small, n.things))]
+        node = next(iter((*standing, *several)), None)
         kind = link.value
         things = node.things if node is not None else list(self.clause.members)
         if node is nodes[0] and node.frame is not None and kind in _OF_JOINED and not self.predicate:

@@ -45,6 +45,9 @@ _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "abov
 
 _BESIDE_SMALL = ("next_to", "near", "by", "behind", "in_front_of", "left_of", "right_of")
 """Where small things that are listed together stand to another, all of them."""
+_SET_AROUND = ("around", "at", "facing", "opposite")
+_SAT_ON = ("seats", "chairs", "lounges")
+"""What is set around a table, or faces something, with what lies on it: "chairs with cushions around a table"."""
 
 
 class Subjects(Having):
@@ -168,6 +171,8 @@ class Subjects(Having):
         """Whether what is told without a pronoun is about what has the list."""
         if where.noun is None or self._is_of_member(where, frame):
             return False
+        if where.word in _SET_AROUND and is_small(thing) and self.habits.is_in(head.things[-1].noun, *_SAT_ON):
+            return True
         if self._is_beside_whole(thing, frame, head, where) or self._is_place_of_head(thing, frame, where, where.noun):
             return True
         return self._is_beside_head(thing, frame, head, where, where.noun)
