@@ -129,8 +129,7 @@ class Descriptions(Rooms):
             self._lose(link.start, link.end)
             return
         several = [n for n in nodes if any(t.many for t in n.things)]
-        standing = [n for n in several if link.value == "facing" and not all(map(is_small, n.things))]
-        node = next(iter((*standing, *several)), None)
+        node = next(iter((*self._having_them(several, link.value), *several)), None)
         kind = link.value
         things = node.things if node is not None else list(self.clause.members)
         if node is nodes[0] and node.frame is not None and kind in _OF_JOINED and not self.predicate:
@@ -151,6 +150,15 @@ class Descriptions(Rooms):
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
         self._faced_across(link, things[-2:] if len(things) > 1 else things)
+
+    def _having_them(self, several: list[Node], kind: str) -> list[Node]:
+        """What has one of the last each, or faces what they lie on: "two desks with computers next to each other"."""
+        if not several or not all(map(is_small, several[0].things)):
+            return []
+        single = [thing for thing in several[0].things if thing.count in (None, 1)]
+        bonds = [bond for thing in single for bond in self.draft.bonds_of(thing) if bond.each]
+        owners = [thing for bond in bonds for thing in bond.anchors]
+        return [n for n in several[1:] if kind == "facing" or any(thing in owners for thing in n.things)]
 
     def _is_of_held(self, last: Node) -> bool:
         """Whether it is of what a thing has, right after which it comes: "a table has two chairs that face away"."""
