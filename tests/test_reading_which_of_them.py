@@ -128,6 +128,11 @@ WASHING = (
         ("There are books on the shelf. There are ten books.", "10 book on bookcase"),
         ("Four chairs with cushions around a table.", "4 chair around dining_table, 4 pillow on chair"),
         ("Two sofas with cushions facing each other.", "2 sofa facing sofa, 2 pillow on sofa"),
+        ("Two desks with computers next to each other.", "2 desk next_to desk, 2 computer on desk"),
+        (
+            "Two sofas facing each other with a coffee table between them and a rug underneath.",
+            "2 sofa facing sofa, 1 coffee_table between sofa, 1 rug under coffee_table",
+        ),
         ("Five sculptures on pedestals. There's one sculpture per pedestal.", "5 sculpture on pedestal"),
     ],
 )

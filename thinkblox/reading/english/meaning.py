@@ -181,9 +181,21 @@ class Meanings:
             two = two or ((last,) if last is not None and self.referents.total(last) == _SIDES else ())
             return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
+        if found is not None and found.many and kind == "under":
+            found = self._over_rug(subjects) or found
         if found is None or (kind == "outside" and not _HOLLOW & {*found.noun.split("_")}):
             return None
         return self._fitting(Meaning(kind, (found,), told=True), subjects, noun)
+
+    def _over_rug(self, subjects: list[Mention]) -> Mention | None:
+        """The table that was named just before one rug: "two sofas with a table between them and a rug underneath"."""
+        things = self.referents.draft.things
+        rug = subjects[-1] if subjects else None
+        if rug is None or rug.many or rug not in things or not load_habits().is_in(rug.noun, "covers"):
+            return None
+        before = things[things.index(rug) - 1] if things.index(rug) else None
+        single = before is not None and not before.many and load_habits().is_in(before.noun, "tables", "low_tables")
+        return before if single else None
 
     def _across_from(self, last: Mention | None) -> tuple[Mention, ...]:
         """The armchairs and the sofa of "two armchairs facing the sofa, and a table in between"."""
