@@ -207,3 +207,19 @@ def test_windows_are_where_they_are_said_to_be(
 )
 def test_as_many_chairs_as_a_table_seats(prompt: str, chairs: int) -> None:
     assert [r.count for r in read_brief(prompt).requests if r.category == "chair"] == [chairs]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("An office for three people with a desk and a chair for each.", {"desk": 3, "chair": 3}),
+        ("An office with a desk and a chair for each of three people.", {"desk": 3, "chair": 3}),
+        ("A classroom with a desk and a chair for each of the 12 students.", {"school_desk": 12, "chair": 12}),
+        ("A room for two kids with a bed for each, and a wardrobe.", {"bed": 2, "wardrobe": 1}),
+        ("An office for four people: a desk for each and a printer by the door.", {"desk": 4, "printer": 1}),
+    ],
+)
+def test_what_is_for_each_person_is_there_for_all(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    assert {r.category: r.count for r in brief.requests if r.asked} == counts
+    assert brief.unknown == ()

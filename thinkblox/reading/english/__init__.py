@@ -77,6 +77,7 @@ from thinkblox.reading.english.part_subjects import with_part_subjects
 from thinkblox.reading.english.parts_of import with_wholes
 from thinkblox.reading.english.passing import with_owners, with_passing
 from thinkblox.reading.english.people_doing import with_people_doing
+from thinkblox.reading.english.per_people import with_lists_per_person
 from thinkblox.reading.english.persons_places import with_persons_places
 from thinkblox.reading.english.pictured import with_pictured
 from thinkblox.reading.english.place_settings import with_place_settings
@@ -255,6 +256,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
         with_orders_not,
         with_likenesses,
         with_likings,
+        with_lists_per_person,
         with_lists_for_each,
         with_outside,
         with_colours_meant,
