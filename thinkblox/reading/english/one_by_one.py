@@ -48,18 +48,20 @@ def _is_apart(first: Mapping[Mention, int], stops: Sequence[int], one: Mention, 
 
 def _told_before(draft: Draft, thing: Mention) -> Mention | None:
     """What a thing is that is only counted after all ("books on the shelf ... ten books"), or told of once more."""
-    if not thing.count or any(thing in bond.anchors for bond in draft.bonds):
+    bonds = draft.bonds_of(thing)
+    again = any(bond.each for bond in bonds)
+    if not thing.count or not (again or (not bonds and thing.count > 1 and _is_only_counted(thing))):
+        return None
+    if thing.text.lower().split()[:1] in _MORE or any(thing in bond.anchors for bond in draft.bonds):
         return None
     before = [t for t in draft.things[: draft.things.index(thing)] if _is_alike(t, thing) and draft.bonds_of(t)]
-    if len(before) != 1 or thing.text.lower().split()[:1] in _MORE:
+    if len(before) != 1:
         return None
-    bonds = draft.bonds_of(thing)
-    if not bonds:
-        counted = _is_only_counted(thing) and thing.count > 1 and before[0].count is None and not before[0].vague
-        return before[0] if counted else None
+    if not again:
+        return before[0] if before[0].count is None and not before[0].vague else None
     known = {(bond.kind, bond.anchors) for bond in draft.bonds_of(before[0])}
-    again = {(bond.kind, bond.anchors) for bond in bonds} <= known and any(bond.each for bond in bonds)
-    return before[0] if again and _total(draft, thing) == before[0].count else None
+    same = {(bond.kind, bond.anchors) for bond in bonds} <= known and _total(draft, thing) == before[0].count
+    return before[0] if same else None
 
 
 def _join(draft: Draft, whole: Mention, placed: Sequence[Mention], pointed: Sequence[Mention]) -> None:
