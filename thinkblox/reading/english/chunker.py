@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from functools import cached_property, lru_cache
 
 from thinkblox.assets.names import begins_name
+from thinkblox.assets.palette import COLOURS
 from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.dimensions import led_size
@@ -638,7 +639,7 @@ class Cutter:
             return None
         if not (doing or token.text.endswith(("ing", "ed"))) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
             return None
-        if grammar().at(self.tokens, self.at + 1, "prepositions") is None:
+        if token.text in COLOURS or grammar().at(self.tokens, self.at + 1, "prepositions") is None:
             return None
         return Connector("participles", "stand", self.at, self.at + 1, token.shown)
 
