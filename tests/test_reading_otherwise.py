@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from tests.test_reading_hostile import WORDS
 from tests.test_reading_turns import related
 from thinkblox.brief import Brief
+from thinkblox.errors import InputError
 from thinkblox.reading import read_brief
 from thinkblox.reading.english.plain_turns import with_plain_turns
 from thinkblox.reading.english.written_lines import with_lines
@@ -122,6 +123,8 @@ def test_a_list_of_lines_is_read_whatever_marks_its_entries(bullet: str, entry: 
 def test_plainer_words_leave_all_others_in_their_places(text: str) -> None:
     assert len(with_plain_turns(text)) == len(text)
     assert len(with_lines(text)) == len(text)
-    if any(character.isalpha() for character in text):
+    try:
         brief = read_brief(text)
-        assert all(text[word.start : word.start + len(word.text)] == word.text for word in brief.account)
+    except InputError:
+        return  # No words, or a room of an impossible size.
+    assert all(text[word.start : word.start + len(word.text)] == word.text for word in brief.account)
