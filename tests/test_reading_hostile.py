@@ -46,6 +46,8 @@ def test_unusable_prompts_are_refused_with_a_reason(prompt: str, says: str) -> N
 
 @settings(max_examples=300, deadline=None)
 @given(st.text(max_size=200))
+@example("W\u0fac")
+@example("A bed \u0fac and a sofa \u0fac")
 def test_any_text_gives_a_brief_or_an_input_error(text: str) -> None:
     with contextlib.suppress(InputError):
         assert isinstance(read_brief(text), Brief)

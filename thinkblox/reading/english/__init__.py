@@ -1,6 +1,7 @@
 """English, read with an open vocabulary: noun phrases, clauses, what they refer to, and what became of every word."""
 
 import re
+import unicodedata
 from collections.abc import Iterator, Sequence
 
 from msgspec import structs
@@ -215,7 +216,7 @@ _BY_UNITS = ("mx", "cmx", "ftx")
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
-    written, (text, places) = text, _evened(with_lines(text))
+    written, (text, places) = text, _evened(with_lines(unicodedata.normalize("NFC", text)))
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     text = _LABEL.sub(lambda match: "\n".rjust(len(match[0])), text)
     text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)

@@ -6,6 +6,8 @@ from dataclasses import replace
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
 from thinkblox.reading.english.said import is_link
 
+_PAIR = 2
+
 
 def with_lists_per_person(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Chunks in which the people come first, "each with a desk and a chair"."""
@@ -18,7 +20,9 @@ def with_lists_per_person(chunks: Sequence[Chunk]) -> list[Chunk]:
             named, length = _people(chunks, at)
             several = named if named is not None and (named.count or 0) > 1 else people
             start = _list_before(made)
-            if several is not None and length and start < len(made):
+            listed = sum(isinstance(chunk, Noun) for chunk in made[start:])
+            shared = named is not None and listed > _PAIR  # "A sofa, a TV and a chair for each person": only the chair.
+            if several is not None and length and listed and not shared:
                 led = start > 0 and is_link(made[start - 1], "prepositions", "with")
                 begun = start - led
                 known = bool(begun) and made[begun - 1] is several

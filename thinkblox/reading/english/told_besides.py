@@ -89,7 +89,7 @@ def _with_ones_there(chunks: Sequence[Chunk]) -> list[Chunk]:
         plain = (
             looks and chunk.kind == "number" and not (chunk.definite or chunk.of_known or chunk.ordinal or chunk.side)
         )
-        if plain and there is not None:
+        if plain and there is not None and _begins_with_place(made, at - 1):
             text = f"{chunk.text.rpartition(' ')[0]} {there.word}"
             made[at] = replace(
                 chunk, kind="thing", value=there.value, called=there.called, named=there.named, text=text
@@ -97,6 +97,14 @@ def _with_ones_there(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif chunk.kind == "thing" and not chunk.definite:
             there = chunk
     return made
+
+
+def _begins_with_place(chunks: Sequence[Chunk], verb: int) -> bool:
+    """Whether the part of a sentence begins with a place, so that what is there comes after the verb."""
+    begun = verb
+    while begun and not is_link(chunks[begun - 1], "mark") and not is_link(chunks[begun - 1], "joins"):
+        begun -= 1
+    return is_link(chunks[begun], "prepositions")
 
 
 def _with_ones_named(chunks: Sequence[Chunk]) -> list[Chunk]:
