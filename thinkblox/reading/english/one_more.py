@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Noun, chunk_at
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_link, part_start
 
 _ANOTHER = "another"
 _ONE_MORE = ("another", "another one", "a second one", "a second", "a matching one")
@@ -49,9 +49,7 @@ def _placed_first(chunks: Sequence[Chunk], at: int) -> Noun | None:
 
 def _comes_last(chunks: Sequence[Chunk], at: int) -> bool:
     """Whether a part of a sentence ends there that began with a place: "and to the right of it is another"."""
-    begun = at
-    while begun and not is_link(chunks[begun - 1], "mark") and not is_link(chunks[begun - 1], "joins"):
-        begun -= 1
+    begun = part_start(chunks, at)
     ends = at + 1 == len(chunks) or is_link(chunks[at + 1], "mark") or is_link(chunks[at + 1], "joins", "and")
     verbs = [n for n in range(begun, at) if is_link(chunks[n], "verbs")]
     placed = not verbs or (verbs == [at - 1] and is_link(chunks[at - 1], "verbs", "be", "stand", "hang"))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, Stray, text_of
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_link, names_opening
 
 _TURNED = {
     "next_to": "next_to",
@@ -60,8 +60,7 @@ def _walls_last(chunks: Sequence[Chunk]) -> list[Chunk]:
             continue
         length = 2 + is_link(verb, "verbs", "be", "stand")
         opening = made[at + length] if at + length < len(made) else None
-        named = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
-        if named and isinstance(opening, Noun) and (opening.det == "a" or opening.count):
+        if names_opening(opening) and (opening.det == "a" or opening.count):
             made[at : at + length + 1] = [opening, link, wall]
     return made
 
@@ -85,8 +84,7 @@ def _with_both_sides(chunks: Sequence[Chunk]) -> list[Chunk]:
             continue
         of, opening = (*made[at + 2 : at + 4], None, None)[:2]
         if is_link(of, "prepositions", "of"):
-            known = isinstance(opening, Noun) and opening.kind == "place" and opening.value in ("window", "door")
-            sided = (part.value, opening) if known and isinstance(opening, Noun) else None
+            sided = (part.value, opening) if names_opening(opening) else None
         elif sided is not None and {part.value, sided[0]} == {"left", "right"}:
             again = replace(sided[1], start=part.end, end=part.end, det="the", count=None)
             made[at + 2 : at + 2] = [Connector("prepositions", "of", part.end, part.end, "of"), again]
@@ -124,8 +122,7 @@ def _lost(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 
 def _is_opening(chunk: Chunk) -> bool:
-    opening = isinstance(chunk, Noun) and chunk.kind == "place" and chunk.value in ("window", "door")
-    return opening and isinstance(chunk, Noun) and chunk.det in ("a", "the") and not chunk.many
+    return names_opening(chunk) and chunk.det in ("a", "the") and not chunk.many
 
 
 def _where(chunks: Sequence[Chunk], at: int) -> tuple[str, int]:

@@ -7,6 +7,7 @@ clauses made of them.
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
+from typing import TypeGuard
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
 
@@ -152,6 +153,18 @@ def possessions(said: Sequence[Chunk]) -> Iterator[SaidList]:
 def is_link(chunk: Chunk | None, sort: str, *values: str) -> bool:
     """Whether a chunk is such a word between noun phrases."""
     return isinstance(chunk, Connector) and chunk.sort == sort and (not values or chunk.value in values)
+
+
+def part_start(chunks: Sequence[Chunk], at: int) -> int:
+    """Where the part of a sentence begins that a chunk is in: after the mark or joining word before it."""
+    while at and not is_link(chunks[at - 1], "mark") and not is_link(chunks[at - 1], "joins"):
+        at -= 1
+    return at
+
+
+def names_opening(chunk: Chunk | None) -> TypeGuard[Noun]:
+    """Whether a phrase names windows or doors."""
+    return isinstance(chunk, Noun) and chunk.kind == "place" and chunk.value in ("window", "door")
 
 
 def is_holding(chunk: Chunk | None) -> bool:

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun, chunk_at
-from thinkblox.reading.english.said import is_link
+from thinkblox.reading.english.said import is_link, names_opening
 
-_OPENINGS = ("window", "door")
 _GROUP = 3
 """Chunks of "two on the left wall"."""
 
@@ -17,7 +16,7 @@ def with_shared_openings(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = -1
     while (at := at + 1) < len(made):
         opening = made[at]
-        if not isinstance(opening, Noun) or opening.kind != "place" or opening.value not in _OPENINGS:
+        if not names_opening(opening):
             continue
         if groups := _shared_out(made, at, opening):
             end, shares = groups

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun, chunk_at, filler
-from thinkblox.reading.english.said import is_holding, is_link
+from thinkblox.reading.english.said import is_holding, is_link, part_start
 
 _ITSELF = ("itself", "themselves")
 _ONES = (" one", " ones")
@@ -89,7 +89,7 @@ def _with_ones_there(chunks: Sequence[Chunk]) -> list[Chunk]:
         plain = (
             looks and chunk.kind == "number" and not (chunk.definite or chunk.of_known or chunk.ordinal or chunk.side)
         )
-        if plain and there is not None and _begins_with_place(made, at - 1):
+        if plain and there is not None and is_link(made[part_start(made, at - 1)], "prepositions"):
             text = f"{chunk.text.rpartition(' ')[0]} {there.word}"
             made[at] = replace(
                 chunk, kind="thing", value=there.value, called=there.called, named=there.named, text=text
@@ -97,14 +97,6 @@ def _with_ones_there(chunks: Sequence[Chunk]) -> list[Chunk]:
         elif chunk.kind == "thing" and not chunk.definite:
             there = chunk
     return made
-
-
-def _begins_with_place(chunks: Sequence[Chunk], verb: int) -> bool:
-    """Whether the part of a sentence begins with a place, so that what is there comes after the verb."""
-    begun = verb
-    while begun and not is_link(chunks[begun - 1], "mark") and not is_link(chunks[begun - 1], "joins"):
-        begun -= 1
-    return is_link(chunks[begun], "prepositions")
 
 
 def _with_ones_named(chunks: Sequence[Chunk]) -> list[Chunk]:
